@@ -1,0 +1,19 @@
+// The one way to fail: an exception whose text says what failed, where, and what to do.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace cleave {
+
+// Ends the program with exit status 1 and the line "error: <text>".
+struct Error : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+// Wrong use of the command line: exit status 2.
+struct UsageError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+}  // namespace cleave

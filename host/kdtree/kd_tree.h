@@ -1,0 +1,38 @@
+// The tree, as every builder produces it and everything else reads it: the seam of the program.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "shared/box.h"
+#include "shared/config.h"
+#include "shared/kd_node.h"
+
+namespace cleave {
+
+struct KdTree {
+    Box bounds = emptyBox();              // of the root cell: the scaled triangles' bounds, not inflated
+    int exponent = 0;                     // scaled space to world, as in TriangleSet
+    std::vector<KdNode> nodes;            // node 0 is the root; always at least one (a leaf, perhaps empty)
+    std::vector<uint32_t> leafTriangles;  // triangle numbers, leaf by leaf
+};
+
+// What shapes a tree, for all builders that know the knob.
+struct BuildSettings {
+    uint32_t bins = kBins;              // per axis, 2 to 32
+    uint32_t exactBelow = kExactBelow;  // exact SAH at so many references and below, at most 32
+    uint32_t maxDepth = 0;              // deepest leaf, at most kMaxDepth; 0: round(8 + 1.3 log2 N)
+    bool clip = true;                   // clip straddling triangles to the children's cells
+    uint64_t memory = 0;                // bytes that a build may use; 0: no limit but the machine's
+    uint32_t threads = 2;               // of CPU builders that use several
+};
+
+// round(8 + 1.3 log2 n), the field's formula, at most kMaxDepth; `settings.maxDepth` where that is given.
+uint32_t depthLimit(const BuildSettings& settings, uint64_t triangleCount);
+
+// A hash of the tree in canonical form (nodes breadth-first, leaf lists ascending), 16 hexadecimal digits: two trees
+// are the same exactly if builders chose the same splits and lists, whatever the order in memory.
+std::string treeHash(const KdTree& tree);
+
+}  // namespace cleave

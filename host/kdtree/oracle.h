@@ -1,0 +1,59 @@
+// Who judges the hits.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "kd_tree.h"
+#include "shared/ray.h"
+#include "triangle_set.h"
+
+namespace cleave {
+
+enum class Query { closest, any };
+
+// Same arithmetic: the shared triangle function in the plainest of loops. Judges tree and traversal, compared with ==.
+// Invalid rays are misses.
+Hit bruteForce(const TriangleSet& set, const Ray& ray, Query query);
+// A textbook recursive walk of the tree, in double where planes are concerned. Answers equal bruteForce's with ==.
+Hit stackWalk(const KdTree& tree, const TriangleSet& set, const Ray& ray, Query query);
+
+// The reference: independent, wider arithmetic on the world-space triangles; judges the triangle function too. Hit or
+// miss is decided by the exact sign of determinants where double's error bound does not decide it.
+class Reference {
+  public:
+    explicit Reference(std::span<const Triangle> world, std::span<const uint32_t> included);
+    ~Reference();
+    Reference(const Reference&) = delete;
+    Reference& operator=(const Reference&) = delete;
+
+    enum class Verdict { agrees, mismatch, undecided };
+    struct Judgement {
+        Verdict verdict = Verdict::agrees;
+        double relativeTError = 0.0;  // |t - tRef| / tRef of hits that agree
+    };
+    // Judges one answer to one ray (a mismatch: hit or miss differs, or |t - tRef| > 1e-6 tRef, or the number differs
+    // and the reference does not find the reported triangle at that t). For Query::any hit or miss only.
+    Judgement judge(const Ray& ray, const Hit& hit, Query query) const;
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+// Sums of judgements over many rays; `first` describes the first mismatch for a person.
+struct CheckResult {
+    uint64_t rays = 0;
+    uint64_t mismatches = 0;
+    uint64_t undecided = 0;
+    double maxRelativeTError = 0.0;
+    std::string first;
+};
+// Judges up to `count` of the rays, spread evenly; hits[i] answers rays[i]. Uses `threads` threads.
+CheckResult check(const Reference& reference, std::span<const Ray> rays, std::span<const Hit> hits, Query query,
+                  uint64_t count, uint32_t threads = 2);
+
+}  // namespace cleave

@@ -1,0 +1,103 @@
+// The surface area heuristic (survey, section 4; constants of Wald and Havran 2006), one text for GPU, twin and exact
+// builder. Costs are multiplied out by the node's area, since division differs between devices:
+//   cost * area = costTraverse area + costIntersect (area_L n_L + area_R n_R)
+#ifndef CLEAVE_SHARED_SAH_H
+#define CLEAVE_SHARED_SAH_H
+#include "box.h"
+#include "config.h"
+#include "kd_node.h"
+
+CLEAVE_BEGIN
+
+// A candidate plane. A straddling reference counts on both sides; a planar one (flat, in the plane) on one side only.
+struct Split {
+    float cost;  // multiplied by half the node's surface area; +inf: no split
+    uint axis;
+    float position;
+    uint planarLeft;  // 1: planar references go left, 0: right
+};
+CLEAVE_SIZE(Split, 16);
+
+CLEAVE_FN Split noSplit() {
+    Split s;
+    s.cost = infinity();
+    s.axis = kLeafAxis;
+    s.position = 0.0f;
+    s.planarLeft = 1u;
+    return s;
+}
+
+// Half the surface of a box with these extents. Denormal products count as zero.
+CLEAVE_FN float halfArea(vec3 e) {
+    precise float xy = flushed(e.x * e.y);
+    precise float yz = flushed(e.y * e.z);
+    precise float zx = flushed(e.z * e.x);
+    precise float area = xy + yz;
+    area = area + zx;
+    return area;
+}
+
+CLEAVE_FN float leafCost(Box cell, uint count) {
+    precise float area = halfArea(cell.hi - cell.lo);
+    precise float cost = kCostIntersect * float(count) * area;
+    return cost;
+}
+
+CLEAVE_FN float splitCost(Box cell, uint axis, float position, uint leftCount, uint rightCount) {
+    vec3 e = cell.hi - cell.lo;
+    precise float area = halfArea(e);
+    vec3 l = e;
+    vec3 r = e;
+    l[axis] = position - cell.lo[axis];
+    r[axis] = cell.hi[axis] - position;
+    precise float left = halfArea(l) * float(leftCount);
+    precise float right = halfArea(r) * float(rightCount);
+    precise float both = left + right;
+    precise float cost = kCostIntersect * both;
+    precise float start = kCostTraverse * area;
+    cost = start + cost;
+    if (leftCount == 0u || rightCount == 0u) cost = kEmptyBonus * cost;
+    return cost;
+}
+
+// The total order of candidates: cost, then axis, then position, then planar references left.
+CLEAVE_FN bool isBetter(Split a, Split b) {
+    if (a.cost != b.cost) return a.cost < b.cost;
+    if (a.axis != b.axis) return a.axis < b.axis;
+    if (a.position != b.position) return a.position < b.position;
+    return a.planarLeft > b.planarLeft;
+}
+
+// The better of `best` and the plane at `position` with `left` references that begin before it, `right` that end
+// behind it and `planar` that lie in it; the plane must lie strictly inside the cell.
+CLEAVE_FN Split betterOf(Split best, Box cell, uint axis, float position, uint left, uint right, uint planar) {
+    if (!(cell.lo[axis] < position && position < cell.hi[axis])) return best;
+    Split s;
+    s.axis = axis;
+    s.position = position;
+    s.planarLeft = 1u;
+    s.cost = splitCost(cell, axis, position, left + planar, right);
+    if (isBetter(s, best)) best = s;
+    if (planar > 0u) {
+        s.planarLeft = 0u;
+        s.cost = splitCost(cell, axis, position, left, right + planar);
+        if (isBetter(s, best)) best = s;
+    }
+    return best;
+}
+
+// A node is split iff that costs less than its triangles. `depth` is the node's own.
+CLEAVE_FN bool isWorthwhile(Split s, Box cell, uint count, uint depth, uint maxDepth) {
+    return depth < maxDepth && collapsedAxes(cell) < 2u && s.cost < leafCost(cell, count);
+}
+
+// Where a reference goes: bit 0 left, bit 1 right. The only place that decides it, by comparing floats.
+CLEAVE_CONST uint kLeft = 1u;
+CLEAVE_CONST uint kRight = 2u;
+CLEAVE_FN uint sideOf(float lo, float hi, float position, uint planarLeft) {
+    if (lo == hi && lo == position) return planarLeft != 0u ? kLeft : kRight;
+    return (lo < position ? kLeft : 0u) | (hi > position ? kRight : 0u);
+}
+
+CLEAVE_END
+#endif

@@ -1,0 +1,115 @@
+// Ray against triangle: watertight, edge-inclusive, two-sided.
+//
+// Which side of an edge a ray passes is the sign of a determinant. A float filter (the terms of Moeller and Trumbore
+// 1997, with a bound on their error) throws out clear misses; everything else is decided in double for the unmoved
+// vertices, by d . (A x B) with A, B = vertex - origin. That expression is antisymmetric in A and B to the last bit, so
+// the two triangles of an edge always agree about it (the property that Woop, Benthin and Wald 2013 get from shearing),
+// and t is evaluated to within a rounding of float. The filter only ever says "clear miss", so it cannot disagree.
+#ifndef CLEAVE_SHARED_TRIANGLE_H
+#define CLEAVE_SHARED_TRIANGLE_H
+#include "ray.h"
+
+CLEAVE_BEGIN
+
+struct Triangle {
+    vec3 a;
+    vec3 b;
+    vec3 c;
+};
+CLEAVE_SIZE(Triangle, 36);
+
+CLEAVE_FN float largestComponent(vec3 v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }
+
+// Each product is rounded by itself: a contracted a*b - c*d would not be antisymmetric.
+CLEAVE_FN vec3 preciseCross(vec3 a, vec3 b) {
+    precise float x0 = a.y * b.z;
+    precise float x1 = a.z * b.y;
+    precise float y0 = a.z * b.x;
+    precise float y1 = a.x * b.z;
+    precise float z0 = a.x * b.y;
+    precise float z1 = a.y * b.x;
+    return vec3(x0 - x1, y0 - y1, z0 - z1);
+}
+CLEAVE_FN float preciseDot(vec3 a, vec3 b) {
+    precise float x = a.x * b.x;
+    precise float y = a.y * b.y;
+    precise float z = a.z * b.z;
+    precise float s = x + y;
+    return s + z;
+}
+CLEAVE_FN dvec3 preciseCross(dvec3 a, dvec3 b) {
+    precise double x0 = a.y * b.z;
+    precise double x1 = a.z * b.y;
+    precise double y0 = a.z * b.x;
+    precise double y1 = a.x * b.z;
+    precise double z0 = a.x * b.y;
+    precise double z1 = a.y * b.x;
+    return dvec3(x0 - x1, y0 - y1, z0 - z1);
+}
+CLEAVE_FN double preciseDot(dvec3 a, dvec3 b) {
+    precise double x = a.x * b.x;
+    precise double y = a.y * b.y;
+    precise double z = a.z * b.z;
+    precise double s = x + y;
+    return s + z;
+}
+
+// True only if the line of the ray certainly misses the triangle. With |d| < 2 per component, E the largest edge and A
+// the largest |a - origin| component, each rounding at most u = 2^-24 of its result: the two Moeller-Trumbore terms err
+// by at most 84 u A E, the third (det - u - v) by 108 u E (2 A + E); 2^-17 E (2 A + E) covers both. Denormals are
+// covered by the absolute term.
+CLEAVE_FN bool clearlyMisses(vec3 origin, vec3 direction, vec3 a, vec3 b, vec3 c) {
+    vec3 e1 = b - a;
+    vec3 e2 = c - a;
+    vec3 s = origin - a;
+    vec3 p = preciseCross(direction, e2);
+    vec3 q = preciseCross(s, e1);
+    precise float det = preciseDot(e1, p);
+    precise float u = preciseDot(s, p);
+    precise float v = preciseDot(direction, q);
+    precise float w = det - u;
+    w = w - v;
+    float edge = max(largestComponent(e1), largestComponent(e2));
+    float reach = largestComponent(s);
+    precise float bound = 7.62939453125e-06f * edge * (2.0f * reach + edge) + 1.0e-36f;
+    return min(u, min(v, w)) < -bound && max(u, max(v, w)) > bound;
+}
+
+// The exact part: hit or miss by sign, then t, u, v. Lengths of |v - origin| up to 1e100 do not overflow.
+CLEAVE_FN Hit resolveTriangle(vec3 origin, vec3 direction, vec3 va, vec3 vb, vec3 vc) {
+    Hit h = missedHit();
+    dvec3 o = dvec3(origin);
+    dvec3 d = dvec3(direction);
+    dvec3 a = dvec3(va) - o;
+    dvec3 b = dvec3(vb) - o;
+    dvec3 c = dvec3(vc) - o;
+    precise double wa = preciseDot(d, preciseCross(b, c));
+    precise double wb = preciseDot(d, preciseCross(c, a));
+    precise double wc = preciseDot(d, preciseCross(a, b));
+    bool negative = wa < 0.0 || wb < 0.0 || wc < 0.0;
+    bool positive = wa > 0.0 || wb > 0.0 || wc > 0.0;
+    if (negative == positive) return h;  // outside an edge, or the ray lies in the triangle's plane
+    dvec3 n = preciseCross(dvec3(vb) - dvec3(va), dvec3(vc) - dvec3(va));
+    precise double slope = preciseDot(n, d);
+    precise double height = preciseDot(n, a);
+    precise double sum = wa + wb;
+    sum = sum + wc;
+    if (slope == 0.0) return h;
+    h.t = float(height / slope);
+    h.u = float(wb / sum);
+    h.v = float(wc / sum);
+    return h;
+}
+
+// The hit of the ray's line with the triangle, or a miss; `prim` is left to the caller. The caller compares t with its
+// interval.
+CLEAVE_FN Hit intersectTriangle(vec3 origin, vec3 direction, Triangle triangle) {
+    if (clearlyMisses(origin, direction, triangle.a, triangle.b, triangle.c)) return missedHit();
+    return resolveTriangle(origin, direction, triangle.a, triangle.b, triangle.c);
+}
+
+// The closer hit; ties in t go to the lower primitive number, so that the answer does not depend on the order.
+CLEAVE_FN bool isCloser(Hit a, Hit b) { return a.t < b.t || (a.t == b.t && a.prim < b.prim); }
+
+CLEAVE_END
+#endif
