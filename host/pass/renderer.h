@@ -1,0 +1,40 @@
+// Pictures: rays of a camera, traced, shaded on the device.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "device_tree.h"
+#include "scene/scene.h"
+#include "shared/ray.h"
+#include "tracer.h"
+
+namespace cleave {
+
+enum class View { shaded, normals, depth, steps, leaves };
+
+struct Picture {
+    uint32_t width = 0;
+    uint32_t height = 0;
+    std::vector<uint32_t> pixels;  // R | G << 8 | B << 16 | A << 24, sRGB, row by row from the top
+    Tracer::Result primary;        // hits of the primary rays, pixel by pixel
+    double ms = 0.0;               // device time of all passes
+    float scaleLow = 0.0f;         // what black (or far) and white (or near) stand for in depth, steps and leaves
+    float scaleHigh = 0.0f;
+};
+
+class Renderer {
+  public:
+    Renderer(Context& context, Tracer& tracer);
+    ~Renderer();
+    // `rays` holds width * height rays, row by row.
+    Picture render(const DeviceTree& tree, const Scene& scene, std::span<const Ray> rays, uint32_t width,
+                   uint32_t height, View view);
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace cleave

@@ -1,0 +1,15 @@
+// The CPU twin of the GPU builder: the same passes in the same order, one file per pass, written to be obvious.
+#pragma once
+
+#include "kdtree/kd_tree.h"
+#include "kdtree/triangle_set.h"
+
+namespace cleave {
+
+struct TwinResult {
+    KdTree tree;
+    bool memoryLimited = false;  // as GpuBuilder::Result
+};
+TwinResult buildTwin(const TriangleSet& set, const BuildSettings& settings);
+
+}  // namespace cleave
