@@ -1,0 +1,50 @@
+// Sums of doubles without any rounding, for decisions that must be right: an expansion of non-overlapping doubles,
+// grown by one number at a time (Shewchuk 1997, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
+// Predicates", GROW-EXPANSION with zero elimination). Exact while nothing overflows and no rounding error is below the
+// range of double, which holds for sums of products of up to three floats of any size.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace cleave {
+
+class ExactSum {
+  public:
+    void add(double x) {
+        size_t kept = 0;
+        for (size_t i = 0; i < size_; ++i) {
+            // Knuth's TWO-SUM: sum + error is exactly x + terms_[i].
+            const double term = terms_[i];
+            const double sum = x + term;
+            const double part = sum - x;
+            const double error = (x - (sum - part)) + (term - part);
+            x = sum;
+            if (error != 0.0) terms_[kept++] = error;
+        }
+        if (x != 0.0) terms_[kept++] = x;
+        size_ = kept;
+    }
+    void addProduct(double a, double b) {
+        const double product = a * b;
+        add(std::fma(a, b, -product));
+        add(product);
+    }
+    // The largest term decides, since all the others together are smaller than its last place.
+    int sign() const { return size_ == 0 ? 0 : terms_[size_ - 1] > 0.0 ? 1 : -1; }
+    // The sum, with a relative error of at most 2^-51.
+    double value() const {
+        double sum = 0.0;
+        for (size_t i = 0; i < size_; ++i) sum += terms_[i];
+        return sum;
+    }
+
+  private:
+    // Non-overlapping terms carry at least one bit each of the 2100 that a double can express, and in practice 53:
+    // sums of products of three floats span fewer than 900 bits and have at most 18 terms.
+    std::array<double, 80> terms_{};
+    size_t size_ = 0;
+};
+
+}  // namespace cleave
