@@ -68,21 +68,24 @@ CLEAVE_FN bool isBetter(Split a, Split b) {
     return a.planarLeft > b.planarLeft;
 }
 
-// The better of `best` and the plane at `position` with `left` references that begin before it, `right` that end
-// behind it and `planar` that lie in it; the plane must lie strictly inside the cell.
-CLEAVE_FN Split betterOf(Split best, Box cell, uint axis, float position, uint left, uint right, uint planar) {
+// The better of `best` and one candidate; its plane must lie strictly inside the cell.
+CLEAVE_FN Split betterOf(Split best, Box cell, uint axis, float position, uint leftCount, uint rightCount,
+                         uint planarLeft) {
     if (!(cell.lo[axis] < position && position < cell.hi[axis])) return best;
     Split s;
     s.axis = axis;
     s.position = position;
-    s.planarLeft = 1u;
-    s.cost = splitCost(cell, axis, position, left + planar, right);
-    if (isBetter(s, best)) best = s;
-    if (planar > 0u) {
-        s.planarLeft = 0u;
-        s.cost = splitCost(cell, axis, position, left, right + planar);
-        if (isBetter(s, best)) best = s;
-    }
+    s.planarLeft = planarLeft;
+    s.cost = splitCost(cell, axis, position, leftCount, rightCount);
+    if (isBetter(s, best)) return s;
+    return best;
+}
+
+// The same for the plane at `position` with `left` references that begin before it, `right` that end behind it and
+// `planar` that lie in it: these are tried on either side.
+CLEAVE_FN Split betterOfBothSides(Split best, Box cell, uint axis, float position, uint left, uint right, uint planar) {
+    best = betterOf(best, cell, axis, position, left + planar, right, 1u);
+    if (planar > 0u) best = betterOf(best, cell, axis, position, left, right + planar, 0u);
     return best;
 }
 

@@ -7,6 +7,7 @@
 // and t is evaluated to within a rounding of float. The filter only ever says "clear miss", so it cannot disagree.
 #ifndef CLEAVE_SHARED_TRIANGLE_H
 #define CLEAVE_SHARED_TRIANGLE_H
+#include "box.h"
 #include "ray.h"
 
 CLEAVE_BEGIN
@@ -17,6 +18,13 @@ struct Triangle {
     vec3 c;
 };
 CLEAVE_SIZE(Triangle, 36);
+
+CLEAVE_FN Box triangleBox(Triangle t) {
+    Box b;
+    b.lo = vec3(min(t.a.x, min(t.b.x, t.c.x)), min(t.a.y, min(t.b.y, t.c.y)), min(t.a.z, min(t.b.z, t.c.z)));
+    b.hi = vec3(max(t.a.x, max(t.b.x, t.c.x)), max(t.a.y, max(t.b.y, t.c.y)), max(t.a.z, max(t.b.z, t.c.z)));
+    return b;
+}
 
 CLEAVE_FN float largestComponent(vec3 v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }
 

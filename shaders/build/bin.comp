@@ -1,0 +1,32 @@
+#version 460
+// Min-max binning (Shevtsov et al. 2007): counts where references start and end. A workgroup per chunk.
+#extension GL_GOOGLE_include_directive : require
+#include "lib/build.glsl"
+layout(local_size_x = kGroup) in;
+
+shared uint counters[kBinWords];
+
+void main() {
+    uint c = groupIndex();
+    if (c >= thisLevel.chunkCount) return;
+    uint i = gl_LocalInvocationID.x;
+    Chunk chunk = args.chunks.at[c];
+    uint slot = nodesIn().at[chunk.node].chunk;
+    for (uint k = i; k < kBinWords; k += kGroup) counters[k] = 0u;
+    BinRange ranges[3];
+    for (uint axis = 0u; axis < 3u; axis++) ranges[axis] = rangeOf(slot, axis);
+    barrier();
+    PrimRefArray refs = refsIn();
+    for (uint k = i; k < chunk.count; k += kGroup) {
+        PrimRef r = refs.at[chunk.first + k];
+        for (uint axis = 0u; axis < 3u; axis++) {
+            uint base = 2u * axis * kBins;
+            atomicAdd(counters[base + startBin(ranges[axis], r.lo[axis], r.hi[axis])], 1u);
+            atomicAdd(counters[base + kBins + endBin(ranges[axis], r.hi[axis])], 1u);
+        }
+    }
+    barrier();
+    for (uint k = i; k < kBinWords; k += kGroup) {
+        if (counters[k] != 0u) atomicAdd(args.bins.at[slot * kBinWords + k], counters[k]);
+    }
+}

@@ -1,0 +1,67 @@
+#version 460
+// Writes the tree's nodes of this level and the list of nodes, chunks and small nodes of the next. A workgroup per
+// block of nodes; an invocation treats kScanRun consecutive ones.
+#extension GL_GOOGLE_include_directive : require
+#include "lib/build.glsl"
+#include "lib/children.glsl"
+
+const uint kRuns = kBlock / kScanRun;
+layout(local_size_x = kRuns) in;
+
+shared uvec4 runs[kRuns];
+
+// One child: its node of the next level, and its place in the list of chunks or of small nodes.
+void emitChild(uint index, Box cell, uint first, uint count, uint chunk, uint small) {
+    nodesOut().at[index] = buildNode(cell, first, count, args.state.at.nodeBase + index, chunk);
+    uint chunks = chunksOf(count, args.exactBelow);
+    for (uint c = 0u; c < chunks; c++) args.chunks.at[chunk + c] = chunkOf(index, first, count, c);
+    if (chunks > 0u) clearBounds(chunk);
+    if (smallsOf(count, args.exactBelow) > 0u) args.smallNodes.at[small] = index;
+}
+
+// `before`: the totals of the nodes before this one.
+void emitNode(BuildNode node, uvec2 children, uvec4 before) {
+    Split s = node.split;
+    if (s.axis == kLeafAxis) {
+        args.tree.at[node.treeNode] = leafNode(args.state.at.leafBase + before.y, node.count);
+        return;
+    }
+    uint left = 2u * before.x;
+    args.tree.at[node.treeNode] = innerNode(s.axis, s.position, args.state.at.nodeBase + left);
+    uvec2 offset = args.offsets.at[node.first];
+    uint first = offset.x + offset.y;
+    emitChild(left, leftOf(node.cell, s.axis, s.position), first, children.x, before.z, before.w);
+    emitChild(left + 1u, rightOf(node.cell, s.axis, s.position), first + children.x, children.y,
+              before.z + chunksOf(children.x, args.exactBelow), before.w + smallsOf(children.x, args.exactBelow));
+}
+
+void main() {
+    uint block = groupIndex();
+    uint nodeCount = thisLevel.nodeCount;
+    if (block >= ceilDiv(nodeCount, kBlock)) return;
+    uint i = gl_LocalInvocationID.x;
+    uint from = block * kBlock + i * kScanRun;
+    uint to = min(from + kScanRun, nodeCount);
+    if (args.state.at.finish != 0u) {
+        for (uint k = from; k < to; k++) {
+            BuildNode node = nodesIn().at[k];
+            args.tree.at[node.treeNode] = leafNode(args.state.at.leafBase + node.first, node.count);
+        }
+        return;
+    }
+    uvec4 sum = uvec4(0u);
+    for (uint k = from; k < to; k++) {
+        BuildNode node = nodesIn().at[k];
+        sum += nodeCounts(node, childCounts(node));
+    }
+    runs[i] = sum;
+    barrier();
+    sum = args.nodeSums.at[block];
+    for (uint k = 0u; k < i; k++) sum += runs[k];
+    for (uint k = from; k < to; k++) {
+        BuildNode node = nodesIn().at[k];
+        uvec2 children = childCounts(node);
+        emitNode(node, children, sum);
+        sum += nodeCounts(node, children);
+    }
+}

@@ -1,0 +1,30 @@
+#version 460
+// Decides whether the next level fits, and how large it is. One invocation.
+#extension GL_GOOGLE_include_directive : require
+#include "lib/build.glsl"
+
+layout(local_size_x = 1) in;
+
+void main() {
+    uint refs = args.state.at.refTotals.x + args.state.at.refTotals.y;
+    uvec4 totals = args.state.at.nodeTotals;
+    uint nodes = args.state.at.nodesUsed + 2u * totals.x;
+    // All references of the next level may end in leaves: there must be room for them, too.
+    uint leafRefs = args.state.at.leafRefsUsed + totals.y + refs;
+    bool fits = refs <= args.refCapacity && nodes <= args.nodeCapacity && leafRefs <= args.leafRefCapacity;
+    if (refs > args.refCapacity) args.state.at.neededRefs = refs;
+    if (nodes > args.nodeCapacity) args.state.at.neededNodes = nodes;
+    if (leafRefs > args.leafRefCapacity) args.state.at.neededLeafRefs = leafRefs;
+    args.state.at.finish = fits ? 0u : 1u;
+    args.state.at.levels = push.depth + 1u;
+    args.state.at.nodeBase = args.state.at.nodesUsed;
+    args.state.at.leafBase = args.state.at.leafRefsUsed;
+    if (fits) {
+        args.state.at.nodesUsed = nodes;
+        args.state.at.leafRefsUsed += totals.y;
+        args.state.at.level[push.depth + 1u] = levelOf(refs, 2u * totals.x, totals.z, totals.w);
+    } else {
+        args.state.at.leafRefsUsed += thisLevel.refCount;
+        args.state.at.level[push.depth + 1u] = levelOf(0u, 0u, 0u, 0u);
+    }
+}

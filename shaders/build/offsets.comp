@@ -1,0 +1,32 @@
+#version 460
+// How many left and right references lie before each reference of the level. A workgroup per block; an invocation
+// adds up kScanRun consecutive ones.
+#extension GL_GOOGLE_include_directive : require
+#include "lib/build.glsl"
+
+const uint kRuns = kBlock / kScanRun;
+layout(local_size_x = kRuns) in;
+
+shared uvec2 runs[kRuns];
+
+uvec2 countsOf(uint side) { return uvec2(side & kLeft, (side & kRight) >> 1); }
+
+void main() {
+    uint block = groupIndex();
+    uint refCount = thisLevel.refCount;
+    if (block >= ceilDiv(refCount, kBlock)) return;
+    uint i = gl_LocalInvocationID.x;
+    uint from = block * kBlock + i * kScanRun;
+    uint to = min(from + kScanRun, refCount);
+    uvec2 sum = uvec2(0u);
+    for (uint k = from; k < to; k++) sum += countsOf(args.sides.at[k]);
+    runs[i] = sum;
+    barrier();
+    sum = uvec2(args.blockSums.at[block].x, args.blockSums.at[block].y);
+    for (uint k = 0u; k < i; k++) sum += runs[k];
+    for (uint k = from; k < to; k++) {
+        args.offsets.at[k] = sum;
+        sum += countsOf(args.sides.at[k]);
+    }
+    if (to == refCount && from < to) args.offsets.at[refCount] = sum;
+}

@@ -1,0 +1,31 @@
+// What every pass of a build starts with.
+#extension GL_EXT_buffer_reference2 : require
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+#include "shared/build.h"
+
+layout(push_constant, scalar) uniform Push { BuildPush push; };
+
+#define args push.args.at
+
+PrimRefArray refsIn() { return (push.depth & 1u) == 0u ? args.refs0 : args.refs1; }
+PrimRefArray refsOut() { return (push.depth & 1u) == 0u ? args.refs1 : args.refs0; }
+BuildNodeArray nodesIn() { return (push.depth & 1u) == 0u ? args.nodes0 : args.nodes1; }
+BuildNodeArray nodesOut() { return (push.depth & 1u) == 0u ? args.nodes1 : args.nodes0; }
+#define thisLevel args.state.at.level[push.depth]
+
+// Workgroups are laid out in rows (see dispatchSize): the last row may have surplus ones, so compare with the count.
+uint groupIndex() { return gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x; }
+
+void clearBounds(uint chunk) {
+    for (uint k = 0u; k < 3u; k++) {
+        args.bounds.at[chunk * kBoundsWords + k] = 0xFFFFFFFFu;
+        args.bounds.at[chunk * kBoundsWords + 3u + k] = 0u;
+    }
+}
+
+BinRange rangeOf(uint chunk, uint axis) {
+    uint b = chunk * kBoundsWords + axis;
+    return binRange(fromOrderedBits(args.bounds.at[b]), fromOrderedBits(args.bounds.at[b + 3u]), args.binCount,
+                    args.invBinCount);
+}

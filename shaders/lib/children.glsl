@@ -1,0 +1,15 @@
+// What becomes of a node once its references are classified; for count_children and emit_nodes.
+
+// Left and right references of a node: the difference of the offsets at its ends.
+uvec2 childCounts(BuildNode node) {
+    if (node.split.axis == kLeafAxis) return uvec2(0u);
+    return args.offsets.at[node.first + node.count] - args.offsets.at[node.first];
+}
+
+// What a node adds to BuildState.nodeTotals.
+uvec4 nodeCounts(BuildNode node, uvec2 children) {
+    if (node.split.axis == kLeafAxis) return uvec4(0u, node.count, 0u, 0u);
+    uint below = args.exactBelow;
+    return uvec4(1u, 0u, chunksOf(children.x, below) + chunksOf(children.y, below),
+                 smallsOf(children.x, below) + smallsOf(children.y, below));
+}
