@@ -1,0 +1,111 @@
+#include "camera.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "error.h"
+
+namespace cleave {
+namespace {
+
+using glm::dvec3;
+
+constexpr double kDefaultFov = std::numbers::pi / 4.0;
+
+// A scene without extent has no scale of its own; any will do.
+double diagonalOf(const Box& bounds) {
+    const double diagonal = isEmpty(bounds) ? 0.0 : glm::length(dvec3(bounds.hi) - dvec3(bounds.lo));
+    return diagonal > 0.0 ? diagonal : 1.0;
+}
+
+dvec3 centreOf(const Box& bounds) { return isEmpty(bounds) ? dvec3(0.0) : 0.5 * (dvec3(bounds.lo) + dvec3(bounds.hi)); }
+
+std::string listOf(const std::vector<Camera>& cameras) {
+    if (cameras.empty()) return "the scene has no camera";
+    std::string text = "the scene has";
+    for (size_t i = 0; i < cameras.size(); ++i)
+        text += (i == 0 ? " " : ", ") + std::to_string(i) + " '" + cameras[i].name + "'";
+    return text;
+}
+
+// How far the edge of the picture is from its middle, vertically: at distance 1, or in all for an orthographic camera.
+double halfHeight(const Camera& camera) {
+    return camera.orthographic ? 0.5 * camera.orthographicHeight : std::tan(0.5 * camera.verticalFov);
+}
+
+}  // namespace
+
+Box finiteBounds(std::span<const Triangle> triangles) {
+    Box bounds = emptyBox();
+    for (const Triangle& t : triangles)
+        if (isFinite3(t.a) && isFinite3(t.b) && isFinite3(t.c))
+            bounds = including(including(including(bounds, t.a), t.b), t.c);
+    return bounds;
+}
+
+Camera lookAt(const dvec3& eye, const dvec3& target, double verticalFov) {
+    Camera camera;
+    camera.eye = eye;
+    camera.verticalFov = verticalFov;
+    const dvec3 way = target - eye;
+    const double distance = glm::length(way);
+    if (distance > 0.0) camera.forward = way / distance;
+    dvec3 up(0.0, 1.0, 0.0);
+    if (glm::length(glm::cross(camera.forward, up)) < 1e-9) up = {0.0, 0.0, camera.forward.y > 0.0 ? 1.0 : -1.0};
+    const dvec3 right = glm::normalize(glm::cross(camera.forward, up));
+    camera.up = glm::cross(right, camera.forward);
+    return camera;
+}
+
+Camera defaultCamera(const Box& bounds) {
+    const dvec3 centre = centreOf(bounds);
+    const dvec3 eye = centre + 1.1 * diagonalOf(bounds) * glm::normalize(dvec3(0.6, 0.4, 0.7));
+    Camera camera = lookAt(eye, centre, kDefaultFov);
+    camera.name = "default";
+    return camera;
+}
+
+Camera chooseCamera(const Scene& scene, const Box& bounds, const std::string& nameOrIndex) {
+    if (nameOrIndex.empty()) return scene.cameras.empty() ? defaultCamera(bounds) : scene.cameras.front();
+    for (const Camera& camera : scene.cameras)
+        if (camera.name == nameOrIndex) return camera;
+    for (size_t i = 0; i < scene.cameras.size(); ++i)
+        if (std::to_string(i) == nameOrIndex) return scene.cameras[i];
+    throw UsageError("there is no camera '" + nameOrIndex + "' in '" + scene.name + "': " + listOf(scene.cameras));
+}
+
+Camera overridden(const Camera& camera, const Box& bounds, const ViewOverrides& overrides) {
+    Camera result = camera;
+    if (overrides.eye || overrides.look) {
+        const dvec3 eye = overrides.eye.value_or(camera.eye);
+        const Camera turned = lookAt(eye, overrides.look.value_or(centreOf(bounds)), camera.verticalFov);
+        result.eye = turned.eye;
+        result.forward = turned.forward;
+        result.up = turned.up;
+    }
+    if (overrides.verticalFov) {
+        result.orthographic = false;
+        result.verticalFov = *overrides.verticalFov;
+    }
+    return result;
+}
+
+Ray imageRay(const Camera& camera, double x, double y, uint32_t width, uint32_t height, float tMax) {
+    const double pixel = 2.0 * halfHeight(camera) / height;
+    const dvec3 right = glm::cross(camera.forward, camera.up);
+    const dvec3 offset = (x - 0.5 * width) * pixel * right + (0.5 * height - y) * pixel * camera.up;
+    const dvec3 origin = camera.orthographic ? camera.eye + offset : camera.eye;
+    const dvec3 direction = camera.orthographic ? camera.forward : glm::normalize(camera.forward + offset);
+    return {vec3(origin), 0.0f, vec3(direction), tMax};
+}
+
+std::vector<Ray> cameraRays(const Camera& camera, uint32_t width, uint32_t height) {
+    std::vector<Ray> rays;
+    rays.reserve(size_t(width) * height);
+    for (uint32_t y = 0; y < height; ++y)
+        for (uint32_t x = 0; x < width; ++x)
+            rays.push_back(imageRay(camera, x + 0.5, y + 0.5, width, height, infinity()));
+    return rays;
+}
+
+}  // namespace cleave
