@@ -3,6 +3,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
 #include "shared/build.h"
+#include "lib/group.glsl"
 
 layout(push_constant, scalar) uniform Push { BuildPush push; };
 
@@ -13,9 +14,6 @@ PrimRefArray refsOut() { return (push.depth & 1u) == 0u ? args.refs1 : args.refs
 BuildNodeArray nodesIn() { return (push.depth & 1u) == 0u ? args.nodes0 : args.nodes1; }
 BuildNodeArray nodesOut() { return (push.depth & 1u) == 0u ? args.nodes1 : args.nodes0; }
 #define thisLevel args.state.at.level[push.depth]
-
-// Workgroups are laid out in rows (see dispatchSize): the last row may have surplus ones, so compare with the count.
-uint groupIndex() { return gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x; }
 
 void clearBounds(uint chunk) {
     for (uint k = 0u; k < 3u; k++) {

@@ -5,6 +5,7 @@
 // others are small: they are split by exact SAH.
 #ifndef CLEAVE_SHARED_BUILD_H
 #define CLEAVE_SHARED_BUILD_H
+#include "dispatch.h"
 #include "kd_node.h"
 #include "sah.h"
 #include "triangle.h"
@@ -48,12 +49,6 @@ CLEAVE_CONST uint kBinWords = 6u * kBins;
 CLEAVE_CONST uint kClipped = 4u;
 
 // Sizes of a level, and the indirect dispatches over them.
-struct DispatchSize {
-    uint x;
-    uint y;
-    uint z;
-};
-CLEAVE_SIZE(DispatchSize, 12);
 struct Level {
     uint refCount;
     uint nodeCount;
@@ -136,18 +131,6 @@ struct BuildPush {
 
 // The most chunks that a level of `refs` references can have.
 CLEAVE_FN uint chunkCapacity(uint refs, uint exactBelow) { return refs / (exactBelow + 1u) + refs / kChunk + 1u; }
-
-CLEAVE_FN uint ceilDiv(uint a, uint b) { return a / b + (a % b != 0u ? 1u : 0u); }
-
-// Vulkan promises 65,535 workgroups per dimension only: more go into rows. See groupIndex() in lib/build_arrays.glsl.
-CLEAVE_FN DispatchSize dispatchSize(uint groups) {
-    DispatchSize d;
-    d.x = min(groups, 65535u);
-    d.y = ceilDiv(groups, 65535u);
-    d.z = 1u;
-    if (groups == 0u) d.y = 0u;
-    return d;
-}
 
 CLEAVE_FN Level levelOf(uint refCount, uint nodeCount, uint chunkCount, uint smallCount) {
     Level l;

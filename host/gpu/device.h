@@ -1,0 +1,58 @@
+// The opened device, for the code that talks Vulkan. Nothing outside host/gpu and host/pass includes this.
+#pragma once
+
+#include <vulkan/vulkan.h>
+
+#include <atomic>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "context.h"
+
+VK_DEFINE_HANDLE(VmaAllocator)
+
+namespace cleave {
+
+// Throws Error naming `what` and the result if it is not VK_SUCCESS.
+void check(VkResult result, const char* what);
+
+// Counts and prints what the validation layers say.
+struct ValidationLog {
+    std::atomic<uint64_t> messages{0};
+};
+
+class Context {
+  public:
+    explicit Context(const std::string& nameOrIndex);
+    ~Context();
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
+
+    VkInstance instance = VK_NULL_HANDLE;
+    VkPhysicalDevice physical = VK_NULL_HANDLE;
+    VkDevice device = VK_NULL_HANDLE;
+    VkQueue queue = VK_NULL_HANDLE;
+    uint32_t queueFamily = 0;
+    VkCommandPool commandPool = VK_NULL_HANDLE;
+    VkPipelineCache pipelineCache = VK_NULL_HANDLE;
+    VmaAllocator allocator = nullptr;
+    VkPhysicalDeviceProperties properties{};
+    double setupMs = 0.0;
+    // Workgroup size for kernels where one item is a small piece of work: a CPU device runs 8 lanes at once.
+    uint32_t smallGroup() const { return properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? 8u : 32u; }
+
+    ValidationLog validation;
+
+  private:
+    VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
+    void openDevice(VkPhysicalDevice chosen);
+    void loadPipelineCache();
+    void savePipelineCache();
+    void destroy();
+};
+
+}  // namespace cleave

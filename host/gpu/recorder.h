@@ -1,0 +1,51 @@
+// Records work for the device and runs it.
+#pragma once
+
+#include <type_traits>
+
+#include "buffer.h"
+#include "kernel.h"
+
+namespace cleave {
+
+// One command buffer. Every command sees what the ones before it wrote. Submitted once, waited for.
+class Recorder {
+  public:
+    explicit Recorder(Context& context);
+    ~Recorder();
+    Recorder(const Recorder&) = delete;
+    Recorder& operator=(const Recorder&) = delete;
+
+    // Runs `groups` workgroups (laid out in rows, see dispatchSize() in shared/dispatch.h).
+    template <class Push>
+    void dispatch(const Kernel& kernel, const Push& push, uint32_t groups) {
+        static_assert(std::is_trivially_copyable_v<Push>);
+        dispatchBytes(kernel, &push, sizeof(Push), groups);
+    }
+    // As many workgroups as the DispatchSize at `offset` in `sizes` says when the command runs.
+    template <class Push>
+    void dispatchIndirect(const Kernel& kernel, const Push& push, const Buffer& sizes, size_t offset) {
+        static_assert(std::is_trivially_copyable_v<Push>);
+        dispatchIndirectBytes(kernel, &push, sizeof(Push), sizes, offset);
+    }
+    void copy(VkBuffer from, size_t fromOffset, VkBuffer to, size_t toOffset, size_t bytes);
+    void copy(const Buffer& from, const Buffer& to, size_t bytes) { copy(from.handle(), 0, to.handle(), 0, bytes); }
+    void fillZero(const Buffer& buffer);
+
+    // Runs what was recorded; the device's own time for it in milliseconds.
+    double submit();
+
+  private:
+    Context& context_;
+    VkCommandBuffer commands_ = VK_NULL_HANDLE;
+    VkQueryPool times_ = VK_NULL_HANDLE;
+    VkFence fence_ = VK_NULL_HANDLE;
+
+    void barrier();
+    void bind(const Kernel& kernel, const void* push, size_t pushBytes);
+    void dispatchBytes(const Kernel& kernel, const void* push, size_t pushBytes, uint32_t groups);
+    void dispatchIndirectBytes(const Kernel& kernel, const void* push, size_t pushBytes, const Buffer& sizes,
+                               size_t offset);
+};
+
+}  // namespace cleave
