@@ -1,0 +1,114 @@
+#include <algorithm>
+
+#include "app/commands.h"
+#include "app/figures.h"
+#include "app/json_report.h"
+#include "app/text.h"
+#include "app/write_file.h"
+#include "scene/camera.h"
+#include "scene/ray_sets.h"
+
+namespace cleave {
+namespace {
+
+// Rays per set that are judged before any time is told, unless --check asks for another number.
+constexpr uint64_t kCheckedRays = 2048;
+
+struct RaySet {
+    std::vector<Ray> rays;
+    Query query = Query::closest;
+};
+using RaySets = std::array<RaySet, kRaySets.size()>;
+
+// Secondary rays start from primary hits, so the first builder's answers are needed; all builders then get these rays.
+void makeSecondaryRays(RaySets& sets, const Session& session, std::span<const Hit> primaryHits) {
+    const Box bounds = session.worldBounds();
+    const std::vector<SurfacePoint> points =
+        surfacePoints(session.scene().triangles, bounds, sets[0].rays, primaryHits);
+    sets[1] = {diffuseRays(points), Query::closest};
+    sets[2] = {shadowRays(points, bounds), Query::any};
+}
+
+// Proves a sample right, then times; the first trace, which warms up, is the one that is judged.
+SetFigures measure(Run& run, Session& session, const DeviceTree& tree, const RaySet& set, const std::string& name,
+                   std::vector<Hit>* hits) {
+    SetFigures figures;
+    figures.rays = set.rays.size();
+    if (set.rays.empty()) return figures;
+    run.progress.phase("tracing " + name + " rays");
+    Tracer::Result traced = run.device.tracer().trace(tree, set.rays, set.query);
+    figures.invalidRays = traced.invalidRays;
+    figures.cappedRays = traced.cappedRays;
+    figures.check =
+        session.check(set.rays, traced.hits, set.query, run.options.check > 0 ? run.options.check : kCheckedRays);
+    requireAnswered(traced, figures.check, session.scene().name + ", " + name + " rays");
+    run.progress.phase("timing " + name + " rays");
+    std::vector<double> times;
+    for (uint32_t i = 0; i < run.options.runs; ++i)
+        times.push_back(run.device.tracer().trace(tree, set.rays, set.query).ms);
+    figures.ms = medianOf(times);
+    if (hits != nullptr) *hits = std::move(traced.hits);
+    return figures;
+}
+
+BuilderFigures benchBuilder(Run& run, Session& session, Builder builder, RaySets& sets) {
+    BuilderFigures figures;
+    figures.built = session.build(builder, run.options.runs);
+    const DeviceTree& tree = session.upload(figures.built);
+    const bool first = sets[1].rays.empty();
+    std::vector<Hit> hits;
+    for (size_t i = 0; i < sets.size(); ++i) {
+        figures.sets[i] = measure(run, session, tree, sets[i], kRaySets[i], i == 0 ? &hits : nullptr);
+        if (i == 0 && first && !hits.empty()) makeSecondaryRays(sets, session, hits);
+    }
+    figures.built.tree = {};
+    figures.built.onDevice.reset();
+    return figures;
+}
+
+Json builderJson(const BuilderFigures& figures) {
+    Json sets = Json::object();
+    CheckResult sum;
+    for (size_t i = 0; i < kRaySets.size(); ++i) {
+        const SetFigures& set = figures.sets[i];
+        Json& json = sets[kRaySets[i]];
+        json = traceJson(set.rays, set.ms, set.invalidRays, set.cappedRays);
+        json["check"] = checkJson(set.check);
+        sum.rays += set.check.rays;
+        sum.mismatches += set.check.mismatches;
+        sum.undecided += set.check.undecided;
+        sum.maxRelativeTError = std::max(sum.maxRelativeTError, set.check.maxRelativeTError);
+    }
+    return {{"build", buildJson(figures.built)}, {"sets", sets}, {"check", checkJson(sum)}};
+}
+
+// The first builder's figures at the top; all of them in `builders` where there are several.
+Json benchScene(Run& run, const std::filesystem::path& file) {
+    Session session(run, file);
+    RaySets sets;
+    // Without a triangle there is nowhere to look from, and no rays.
+    const Box bounds = session.worldBounds();
+    if (!isEmpty(bounds)) sets[0].rays = primaryRays(bounds, run.options.interior);
+    std::vector<BuilderFigures> all;
+    for (const Builder builder : run.options.builders) all.push_back(benchBuilder(run, session, builder, sets));
+
+    run.print(oneLine(file.filename().string()) + ": " + grouped(session.scene().triangles.size()) + " triangles, " +
+              oneLine(run.device.name().value_or("")) + ", median of " + std::to_string(run.options.runs) + "\n" +
+              treeTable(all, session.set().included.size()) + rayTable(all) + "\n");
+    Json report{{"scene", sceneJson(session)}};
+    report.update(builderJson(all.front()));
+    if (all.size() == 1) return report;
+    for (const BuilderFigures& figures : all) report["builders"].push_back(builderJson(figures));
+    return report;
+}
+
+}  // namespace
+
+void runBench(Run& run) {
+    if (run.options.json) requireWritable(*run.options.json);
+    Json scenes = Json::array();
+    for (const std::filesystem::path& file : run.options.scenes) scenes.push_back(benchScene(run, file));
+    writeReport(run, scenes.size() == 1 ? scenes.front() : Json{{"scenes", scenes}});
+}
+
+}  // namespace cleave

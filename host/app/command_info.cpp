@@ -1,0 +1,106 @@
+#include "app/commands.h"
+#include "app/json_report.h"
+#include "app/text.h"
+#include "app/write_file.h"
+#include "error.h"
+#include "kdtree/validate.h"
+
+namespace cleave {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+std::string pointText(glm::vec3 p) {
+    const auto number = [](float x) {
+        char text[32];
+        std::snprintf(text, sizeof text, "%.6g", static_cast<double>(x));
+        return std::string(text);
+    };
+    return number(p.x) + ", " + number(p.y) + ", " + number(p.z);
+}
+
+std::string sceneTable(const Session& session) {
+    const Scene& scene = session.scene();
+    Rows rows{{"scene", oneLine(scene.name)}, {"triangles", grouped(scene.triangles.size())}};
+    for (const auto& [what, count] : scene.leftOut) rows.push_back({"left out: " + what, grouped(count)});
+    if (session.set().nonFinite > 0) rows.push_back({"left out: not finite", grouped(session.set().nonFinite)});
+    if (session.set().noArea > 0) rows.push_back({"left out: no area", grouped(session.set().noArea)});
+    const Box bounds = session.worldBounds();
+    if (!isEmpty(bounds)) {
+        rows.push_back({"bounds from", pointText(bounds.lo)});
+        rows.push_back({"bounds to", pointText(bounds.hi)});
+    }
+    rows.push_back({"materials", grouped(scene.materials.size())});
+    rows.push_back({"cameras", grouped(scene.cameras.size())});
+    for (size_t i = 0; i < scene.cameras.size(); ++i)
+        rows.push_back({"camera " + std::to_string(i),
+                        oneLine(scene.cameras[i].name) + " (" +
+                            (scene.cameras[i].orthographic ? "orthographic" : "perspective") + ")"});
+    return alignedTable(rows, "ll");
+}
+
+std::string treeTable(const BuiltTree& built, const Session& session) {
+    const TreeStatistics& s = built.statistics;
+    const size_t included = session.set().included.size();
+    const double each = included > 0 ? static_cast<double>(s.references) / static_cast<double>(included) : 0.0;
+    Rows rows{{"builder", nameOf(built.builder)},
+              {"build", fixed(built.ms, 2) + " ms"},
+              {"SAH cost", fixed(s.sahCost, 3)},
+              {"expected per ray", fixed(s.expectedInner, 2) + " inner nodes, " + fixed(s.expectedLeaves, 2) +
+                                       " leaves, " + fixed(s.expectedTriangles, 2) + " triangles"},
+              {"nodes", grouped(s.nodes)},
+              {"leaves", grouped(s.leaves) + " (" + grouped(s.emptyLeaves) + " empty)"},
+              {"references", grouped(s.references) + " (" + fixed(each, 2) + " per triangle)"},
+              {"deepest leaf", std::to_string(s.maxDepth)},
+              {"largest leaf", grouped(s.largestLeaf)},
+              {"peak memory", bytesText(built.peakBytes)},
+              {"tree hash", built.hash}};
+    if (built.memoryLimited) rows.push_back({"memory", "limit met: the last levels are leaves"});
+    return alignedTable(rows, "ll");
+}
+
+// How many leaves hold so many triangles.
+std::string histogramTable(const TreeStatistics& s) {
+    Rows rows{{"triangles", "leaves"}};
+    for (size_t n = 0; n < s.leafHistogram.size(); ++n) {
+        if (s.leafHistogram[n] == 0) continue;
+        const bool last = n + 1 == s.leafHistogram.size();
+        rows.push_back({std::to_string(n) + (last ? "+" : ""), grouped(s.leafHistogram[n])});
+    }
+    return alignedTable(rows, "rr");
+}
+
+Json validationJson(const ValidationReport& report) {
+    return {{"ok", report.ok()},
+            {"errors", report.errorCount},
+            {"surplusReferences", report.surplusReferences},
+            {"first", report.errors}};
+}
+
+}  // namespace
+
+void runInfo(Run& run) {
+    const Options& options = run.options;
+    if (options.json) requireWritable(*options.json);
+    Session session(run, options.scenes.front());
+    run.print(sceneTable(session));
+    const BuiltTree built = session.build(options.builders.front());
+    run.print("\n" + treeTable(built, session) + "\n" + histogramTable(built.statistics));
+
+    Json report{{"scene", sceneJson(session)}, {"build", buildJson(built)}};
+    if (!options.validate) return writeReport(run, report);
+    run.progress.phase("validating");
+    // The brute-force "tree" is one leaf, which any depth allows.
+    const ValidationReport validation =
+        validate(built.tree, session.set(), depthLimit(options.settings, session.set().included.size()));
+    report["validation"] = validationJson(validation);
+    writeReport(run, report);
+    if (!validation.ok())
+        throw Error("the tree of " + session.scene().name + " is broken in " + grouped(validation.errorCount) +
+                    " places, first: " + (validation.errors.empty() ? "not told" : validation.errors.front()) +
+                    "; please report this scene");
+    run.print("\nvalid: every point of every triangle is in a leaf that lists it (" +
+              grouped(validation.surplusReferences) + " surplus references)\n");
+}
+
+}  // namespace cleave

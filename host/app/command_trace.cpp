@@ -1,0 +1,37 @@
+#include "app/commands.h"
+#include "app/json_report.h"
+#include "app/npy.h"
+#include "app/text.h"
+#include "app/write_file.h"
+
+namespace cleave {
+
+void runTrace(Run& run) {
+    const Options& options = run.options;
+    requireWritable(options.output);
+    if (options.json) requireWritable(*options.json);
+    const std::vector<Ray> rays = readRays(options.rays);
+    Session session(run, options.scenes.front());
+    BuiltTree built = session.build(options.builders.front());
+    const DeviceTree& tree = session.upload(built);
+    run.progress.phase("tracing");
+    const Tracer::Result traced = run.device.tracer().trace(tree, rays, options.query);
+
+    // What was answered is written also where the check fails, so that it can be looked at.
+    writeFile(options.output, npyOf(traced.hits));
+    Json report{{"scene", sceneJson(session)},
+                {"build", buildJson(built)},
+                {"trace", traceJson(rays.size(), traced.ms, traced.invalidRays, traced.cappedRays)}};
+    CheckResult check;
+    if (options.check > 0) {
+        check = session.check(rays, traced.hits, options.query, options.check);
+        report["check"] = checkJson(check);
+    }
+    writeReport(run, report);
+    requireAnswered(traced, check, session.scene().name);
+
+    run.print(builtLine(built) + tracedLine(rays.size(), traced) + (options.check > 0 ? checkedLine(check) : "") +
+              "hits      " + options.output.string() + "\n");
+}
+
+}  // namespace cleave

@@ -1,0 +1,14 @@
+// The commands, one file each. They throw Error for what fails and UsageError for wrong use that only shows later.
+#pragma once
+
+#include "app/run.h"
+
+namespace cleave {
+
+void runRender(Run& run);
+void runTrace(Run& run);
+void runInfo(Run& run);
+void runBench(Run& run);
+void runDevices(Run& run);
+
+}  // namespace cleave

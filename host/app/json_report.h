@@ -1,0 +1,24 @@
+// The figures of a run as JSON. Scripts rely on the keys.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "app/session.h"
+
+namespace cleave {
+
+using Json = nlohmann::ordered_json;
+
+Json sceneJson(const Session& session);
+Json buildJson(const BuiltTree& built);
+// Closest or any hits of `rays` rays in `ms` milliseconds.
+Json traceJson(uint64_t rays, double ms, uint64_t invalidRays, uint64_t cappedRays);
+Json checkJson(const CheckResult& result);
+
+// A finite number, or null: JSON knows no infinity.
+Json numberJson(double value);
+
+// Adds device and total, and writes the file of --json where one is asked for.
+void writeReport(const Run& run, Json report);
+
+}  // namespace cleave

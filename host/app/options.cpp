@@ -1,0 +1,255 @@
+#include "app/options.h"
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string_view>
+#include <utility>
+
+#include "app/option_values.h"
+#include "error.h"
+
+namespace cleave {
+namespace {
+
+constexpr std::array<std::pair<const char*, Command>, 5> kCommands = {{{"render", Command::render},
+                                                                       {"trace", Command::trace},
+                                                                       {"info", Command::info},
+                                                                       {"bench", Command::bench},
+                                                                       {"devices", Command::devices}}};
+constexpr std::array<std::pair<const char*, Builder>, 4> kBuilders = {
+    {{"gpu", Builder::gpu}, {"twin", Builder::twin}, {"exact", Builder::exact}, {"brute", Builder::brute}}};
+constexpr std::array<std::pair<const char*, View>, 5> kViews = {{{"shaded", View::shaded},
+                                                                 {"normals", View::normals},
+                                                                 {"depth", View::depth},
+                                                                 {"steps", View::steps},
+                                                                 {"leaves", View::leaves}}};
+constexpr std::array<std::pair<const char*, bool>, 2> kSwitch = {{{"on", true}, {"off", false}}};
+constexpr std::array<std::pair<const char*, int>, 1> kTraversals = {{{"restart", 0}}};
+
+template <typename Table>
+std::string namesIn(const Table& table) {
+    std::string names;
+    for (const auto& [name, value] : table) names += (names.empty() ? "" : ", ") + std::string(name);
+    return names;
+}
+
+template <typename Value, size_t n>
+Value lookUp(const std::array<std::pair<const char*, Value>, n>& table, const std::string& option,
+             const std::string& name) {
+    for (const auto& [known, value] : table)
+        if (name == known) return value;
+    throw CLI::ValidationError(option, "'" + name + "' is not known or not built yet; there is: " + namesIn(table));
+}
+
+// Adds an option whose text goes through `parse`; where that gives nothing, the use is wrong and `wanted` says why.
+template <typename Value>
+CLI::Option* addParsed(CLI::App& app, const std::string& name, const std::string& type, const std::string& text,
+                       std::function<std::optional<Value>(const std::string&)> parse, std::function<void(Value)> set,
+                       const std::string& wanted) {
+    const auto read = [=](const std::string& given) {
+        const std::optional<Value> value = parse(given);
+        if (!value) throw CLI::ValidationError(name, "'" + given + "' is not " + wanted);
+        set(*value);
+    };
+    return app.add_option_function<std::string>(name, read, text)->type_name(type);
+}
+
+template <typename Number>
+void addWhole(CLI::App& app, const std::string& name, const std::string& text, Number& target, uint64_t least,
+              uint64_t most) {
+    addParsed<uint64_t>(
+        app, name, "N", text, [=](const std::string& given) { return parseWhole(given, least, most); },
+        [&target](uint64_t value) { target = static_cast<Number>(value); },
+        "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+}
+
+template <typename Value, size_t n>
+void addNamed(CLI::App& app, const std::string& name, const std::string& text, Value& target,
+              const std::array<std::pair<const char*, Value>, n>& table) {
+    app.add_option_function<std::string>(
+           name, [&table, &target, name](const std::string& given) { target = lookUp(table, name, given); },
+           text + " (" + namesIn(table) + ")")
+        ->type_name("NAME");
+}
+
+void addBuilders(CLI::App& app, Options& options, bool several) {
+    const auto read = [&options, several](const std::string& given) {
+        options.builders.clear();
+        std::vector<std::string> names = several ? CLI::detail::split(given, ',') : std::vector<std::string>{given};
+        for (const std::string& name : names) {
+            const Builder builder = lookUp(kBuilders, "--builder", name);
+            for (const Builder other : options.builders)
+                if (other == builder) throw CLI::ValidationError("--builder", "'" + name + "' is given twice");
+            options.builders.push_back(builder);
+        }
+    };
+    app.add_option_function<std::string>("--builder", read,
+                                         std::string("who builds the tree") +
+                                             (several ? ", or several: gpu,exact" : "") + " (" + namesIn(kBuilders) +
+                                             ")")
+        ->type_name(several ? "NAME,..." : "NAME");
+}
+
+void addOutput(CLI::App& app, Options& options) {
+    app.add_option("--json", options.json, "write all figures to this file")->type_name("FILE");
+    app.add_flag("--quiet", options.quiet, "print nothing but errors");
+    app.set_version_flag("--version", "cleave " CLEAVE_VERSION, "print the version and end");
+}
+
+void addBuild(CLI::App& app, Options& options, bool several) {
+    BuildSettings& settings = options.settings;
+    addBuilders(app, options, several);
+    app.add_option("--device", options.device, "Vulkan device, by index or a part of its name (see: cleave devices)")
+        ->type_name("NAME|INDEX");
+    addWhole(app, "--threads", "threads of CPU work (2)", settings.threads, 1, 1024);
+    addParsed<uint64_t>(
+        app, "--memory", "SIZE", "bytes that a build may use, for example 512M or 2G", parseBytes,
+        [&settings](uint64_t bytes) { settings.memory = bytes; }, "a size, for example 512M or 2G");
+    addWhole(app, "--bins", "bins per axis (" + std::to_string(kBins) + ")", settings.bins, 2, kBins);
+    addWhole(app, "--exact-below", "exact SAH at so many references and below (" + std::to_string(kExactBelow) + ")",
+             settings.exactBelow, 0, kExactBelow);
+    addWhole(app, "--max-depth", "deepest leaf (by the number of triangles)", settings.maxDepth, 1, kMaxDepth);
+    addNamed(app, "--clip", "clip triangles to the cells", settings.clip, kSwitch);
+}
+
+void addTraversal(CLI::App& app, Options& options) {
+    const auto read = [](const std::string& given) { lookUp(kTraversals, "--traversal", given); };
+    app.add_option_function<std::string>("--traversal", read, "how rays go (" + namesIn(kTraversals) + ")")
+        ->type_name("NAME");
+    addWhole(app, "--check", "judge so many of the rays by the reference", options.check, 1, uint64_t{1} << 32);
+}
+
+void addScenes(CLI::App& app, Options& options, const std::string& text, bool needed) {
+    app.add_option("SCENE", options.scenes, text)->type_name("FILE")->expected(needed ? 1 : 0, 1)->required(needed);
+}
+
+void addRender(CLI::App& app, Options& options) {
+    addScenes(app, options, ".gltf or .glb; a scene of ours where left out", false);
+    app.add_option("-o,--output", options.output, "the picture (out.png)")->type_name("FILE");
+    addParsed<glm::uvec2>(
+        app, "--size", "WxH", "pixels (1280x720)", parseSize,
+        [&options](glm::uvec2 size) {
+            options.width = size.x;
+            options.height = size.y;
+        },
+        "WIDTHxHEIGHT, sides up to 16384 and up to 2^26 pixels, for example 1280x720");
+    app.add_option("--camera", options.camera, "a camera of the scene (the first)")->type_name("NAME|INDEX");
+    const std::string point = "x,y,z, three finite numbers";
+    addParsed<glm::dvec3>(
+        app, "--eye", "X,Y,Z", "look from here", parsePoint, [&options](glm::dvec3 p) { options.eye = p; }, point);
+    addParsed<glm::dvec3>(
+        app, "--look", "X,Y,Z", "look at this point", parsePoint, [&options](glm::dvec3 p) { options.look = p; },
+        point);
+    const auto field = [](const std::string& text) {
+        const auto degrees = parseNumber(text);
+        return degrees && *degrees > 0.0 && *degrees < 180.0 ? degrees : std::nullopt;
+    };
+    addParsed<double>(
+        app, "--fov", "DEGREES", "vertical field of view (45, or the camera's)", field,
+        [&options](double degrees) { options.fov = degrees; }, "an angle above 0 and below 180 degrees");
+    addNamed(app, "--view", "what is shown", options.view, kViews);
+    addBuild(app, options, false);
+    addTraversal(app, options);
+    addOutput(app, options);
+}
+
+void addTrace(CLI::App& app, Options& options) {
+    addScenes(app, options, ".gltf or .glb", true);
+    app.add_option("RAYS", options.rays, "rays as .npy: float32 (N, 8): origin, tMin, direction, tMax")
+        ->type_name("FILE")
+        ->required();
+    app.add_option("-o,--output", options.output, "the hits (hits.npy)")->type_name("FILE");
+    app.add_flag_callback(
+        "--any", [&options] { options.query = Query::any; }, "any hit will do, not the closest");
+    addBuild(app, options, false);
+    addTraversal(app, options);
+    addOutput(app, options);
+}
+
+void addInfo(CLI::App& app, Options& options) {
+    addScenes(app, options, ".gltf or .glb", true);
+    app.add_flag("--validate", options.validate, "check the tree against its triangles");
+    addBuild(app, options, false);
+    addOutput(app, options);
+}
+
+void addBench(CLI::App& app, Options& options) {
+    app.add_option("SCENE", options.scenes, ".gltf or .glb, one or more")->type_name("FILE")->required();
+    addWhole(app, "--runs", "median of so many runs (5)", options.runs, 1, 10000);
+    app.add_flag("--interior", options.interior, "primary rays from inside, for rooms");
+    addBuild(app, options, true);
+    addTraversal(app, options);
+    addOutput(app, options);
+}
+
+std::unique_ptr<CLI::App> makeApp(Options& options) {
+    auto app =
+        std::make_unique<CLI::App>("cleave: ray queries on any Vulkan device, through kd-trees built there", "cleave");
+    app->set_version_flag("--version", "cleave " CLEAVE_VERSION, "print the version and end");
+    app->require_subcommand(1);
+    addRender(*app->add_subcommand("render", "make a picture of a scene"), options);
+    addTrace(*app->add_subcommand("trace", "answer the rays of a file"), options);
+    addInfo(*app->add_subcommand("info", "describe a scene and its tree"), options);
+    addBench(*app->add_subcommand("bench", "time builds and rays, after checking them"), options);
+    addOutput(*app->add_subcommand("devices", "list what Vulkan offers here and what would be used"), options);
+    return app;
+}
+
+std::string optionsOf(const CLI::App& command) {
+    std::string names;
+    for (const CLI::Option* option : command.get_options())
+        if (option->nonpositional()) names += (names.empty() ? "" : ", ") + option->get_name();
+    return names;
+}
+
+// Looked up before CLI11 does, whose message would not name what there is.
+Command commandOf(const std::string& name) {
+    for (const auto& [known, command] : kCommands)
+        if (name == known) return command;
+    throw UsageError("'" + name + "' is no command or not built yet; there are: " + namesIn(kCommands));
+}
+
+void complete(Options& options) {
+    if (options.output.empty()) options.output = options.command == Command::trace ? "hits.npy" : "out.png";
+    const bool writes = options.command == Command::render || options.command == Command::trace;
+    if (writes && options.json && options.json->lexically_normal() == options.output.lexically_normal())
+        throw UsageError("--json and -o name the same file");
+}
+
+}  // namespace
+
+std::string nameOf(Builder builder) {
+    for (const auto& [name, value] : kBuilders)
+        if (value == builder) return name;
+    return "unknown";
+}
+
+Request parseCommandLine(int argc, const char* const* argv) {
+    const std::string first = argc > 1 ? argv[1] : "";
+    if (argc < 2) throw UsageError("no command; there are: " + namesIn(kCommands) + " (see: cleave --help)");
+    Options options;
+    const std::unique_ptr<CLI::App> app = makeApp(options);
+    if (!first.starts_with("-")) options.command = commandOf(first);
+    try {
+        app->parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        return app->help();
+    } catch (const CLI::CallForAllHelp&) {
+        return app->help();
+    } catch (const CLI::CallForVersion& version) {
+        return std::string(version.what()) + "\n";
+    } catch (const CLI::ExtrasError& error) {
+        const CLI::App* command = first.starts_with("-") ? app.get() : app->get_subcommand(first);
+        throw UsageError(std::string(error.what()) + "; there is: " + optionsOf(*command));
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(std::string(error.what()) + " (see: cleave " + (first.starts_with("-") ? "" : first + " ") +
+                         "--help)");
+    }
+    complete(options);
+    return options;
+}
+
+}  // namespace cleave

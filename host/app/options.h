@@ -1,0 +1,56 @@
+// What the command line asks for.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "kdtree/kd_tree.h"
+#include "kdtree/oracle.h"
+#include "pass/renderer.h"
+
+namespace cleave {
+
+enum class Command { render, trace, info, bench, devices };
+enum class Builder { gpu, twin, exact, brute };
+
+std::string nameOf(Builder builder);
+
+struct Options {
+    Command command = Command::devices;
+    std::vector<std::filesystem::path> scenes;  // render: may be empty, for the default scene; bench: several
+    std::filesystem::path rays;
+    std::filesystem::path output;  // out.png or hits.npy
+    std::optional<std::filesystem::path> json;
+    bool quiet = false;
+
+    std::vector<Builder> builders{Builder::gpu};  // bench: several
+    BuildSettings settings;
+    std::string device;
+    uint64_t check = 0;  // rays of a run to be judged
+    bool validate = false;
+
+    uint32_t width = 1280;
+    uint32_t height = 720;
+    View view = View::shaded;
+    std::string camera;  // by name or index
+    std::optional<glm::dvec3> eye;
+    std::optional<glm::dvec3> look;
+    std::optional<double> fov;  // vertical, degrees
+
+    Query query = Query::closest;
+    uint32_t runs = 5;
+    bool interior = false;
+};
+
+// A text to print instead of a run: help or version.
+using Request = std::variant<Options, std::string>;
+
+// Throws UsageError, whose text says what there is to choose from. Files are not looked at.
+Request parseCommandLine(int argc, const char* const* argv);
+
+}  // namespace cleave

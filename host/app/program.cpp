@@ -1,0 +1,63 @@
+#include "app/program.h"
+
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "app/commands.h"
+#include "app/text.h"
+#include "error.h"
+
+namespace cleave {
+namespace {
+
+constexpr int kFailed = 1;
+constexpr int kWrongUse = 2;
+
+int report(const std::string& text, int status) {
+    std::fprintf(stderr, "error: %s\n", oneLine(text).c_str());
+    return status;
+}
+
+void runCommand(const Options& options) {
+    Run run(options);
+    switch (options.command) {
+        case Command::render:
+            return runRender(run);
+        case Command::trace:
+            return runTrace(run);
+        case Command::info:
+            return runInfo(run);
+        case Command::bench:
+            return runBench(run);
+        case Command::devices:
+            return runDevices(run);
+    }
+}
+
+// A full disk or a closed pipe shows only when the text is pushed out.
+void requirePrinted() {
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+        throw Error("cannot print to standard output: it is closed or full; send it elsewhere");
+}
+
+}  // namespace
+
+int runProgram(int argc, const char* const* argv) try {
+    const Request request = parseCommandLine(argc, argv);
+    if (const auto* text = std::get_if<std::string>(&request))
+        std::fputs(text->c_str(), stdout);
+    else
+        runCommand(std::get<Options>(request));
+    requirePrinted();
+    return 0;
+} catch (const UsageError& error) {
+    return report(error.what(), kWrongUse);
+} catch (const std::bad_alloc&) {
+    return report("out of memory, on this machine, for this scene; use a smaller scene or picture", kFailed);
+} catch (const std::exception& error) {
+    return report(error.what(), kFailed);
+}
+
+}  // namespace cleave

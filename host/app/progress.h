@@ -1,0 +1,23 @@
+// What a long run is doing, on one line of the terminal that is overwritten.
+#pragma once
+
+#include <string>
+
+namespace cleave {
+
+class Progress {
+  public:
+    // Shows nothing where stderr is no terminal, so that logs stay clean.
+    explicit Progress(bool quiet);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    void phase(const std::string& what);
+    void clear();  // before anything else is printed
+
+  private:
+    bool shown_;
+};
+
+}  // namespace cleave

@@ -1,0 +1,19 @@
+#include "app/run.h"
+
+#include <cstdio>
+
+#include "app/text.h"
+
+namespace cleave {
+
+void Run::print(const std::string& text) {
+    progress.clear();
+    if (!options.quiet) std::fwrite(text.data(), 1, text.size(), stdout);
+}
+
+void Run::warn(const std::string& text) {
+    progress.clear();
+    if (!options.quiet) std::fprintf(stderr, "warning: %s\n", oneLine(text).c_str());
+}
+
+}  // namespace cleave

@@ -1,0 +1,25 @@
+// One run of a command: what it was asked for and what all commands share.
+#pragma once
+
+#include <string>
+
+#include "app/device_kit.h"
+#include "app/options.h"
+#include "app/progress.h"
+#include "app/timing.h"
+
+namespace cleave {
+
+struct Run {
+    explicit Run(const Options& asked) : options(asked), progress(asked.quiet), device(asked.device) {}
+
+    void print(const std::string& text);  // to stdout, unless --quiet
+    void warn(const std::string& text);   // to stderr, unless --quiet
+
+    const Options& options;
+    Stopwatch total;
+    Progress progress;
+    DeviceKit device;
+};
+
+}  // namespace cleave

@@ -1,0 +1,24 @@
+// Words and tables for a person at a terminal.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cleave {
+
+// Text from a file or a driver, safe to print on one line: control characters become spaces.
+std::string oneLine(std::string_view text);
+
+std::string fixed(double value, int digits);                 // "12.30"; what is not finite is "-"
+std::string fixed(std::optional<double> value, int digits);  // nothing is "-"
+std::string grouped(uint64_t count);                         // "69,451"
+std::string bytesText(uint64_t bytes);                       // "12.3 MiB"
+
+// Rows of equal length, columns padded to their widest cell, two spaces apart. `alignment` has a letter per column:
+// l or r.
+std::string alignedTable(const std::vector<std::vector<std::string>>& rows, std::string_view alignment);
+
+}  // namespace cleave
