@@ -1,0 +1,38 @@
+#include "passes.h"
+
+namespace cleave::twin {
+
+namespace {
+
+Split bestBoundary(const BuildArrays& a, const BuildNode& node) {
+    Split best = noSplit();
+    for (uint32_t axis = 0; axis < 3; axis++) {
+        const BinRange range = rangeOf(a, node.chunk, axis);
+        const uint32_t* starts = &a.bins[node.chunk * kBinWords + 2 * axis * kBins];
+        const uint32_t* ends = starts + kBins;
+        best = betterOf(best, node.cell, axis, range.lo, 0, node.count, 0);
+        best = betterOf(best, node.cell, axis, range.hi, node.count, 0, 1);
+        if (!isResolved(range)) continue;
+        for (uint32_t b = 1; b < range.count; b++) {
+            uint32_t left = 0;
+            uint32_t right = 0;
+            for (uint32_t k = 0; k < b; k++) left += starts[k];
+            for (uint32_t k = b; k < range.count; k++) right += ends[k];
+            best = betterOf(best, node.cell, axis, binPlane(range, b), left, right, 1);
+        }
+    }
+    return best;
+}
+
+}  // namespace
+
+void chooseSplit(BuildArrays& a, uint32_t depth) {
+    for (uint32_t c = 0; c < a.state.level[depth].chunkCount; c++) {
+        BuildNode& node = a.nodes[depth % 2][a.chunks[c].node];
+        if (node.chunk != c) continue;
+        const Split best = bestBoundary(a, node);
+        if (isWorthwhile(best, node.cell, node.count, depth, a.maxDepth)) node.split = best;
+    }
+}
+
+}  // namespace cleave::twin

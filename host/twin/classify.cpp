@@ -1,0 +1,39 @@
+#include "passes.h"
+#include "shared/clip.h"
+
+namespace cleave::twin {
+
+namespace {
+
+uint32_t classifyOne(BuildArrays& a, uint32_t depth, uint32_t i) {
+    const PrimRef& r = a.refs[depth % 2][i];
+    const Split& s = a.nodes[depth % 2][r.node].split;
+    if (s.axis == kLeafAxis) return 0;
+    const int axis = static_cast<int>(s.axis);
+    const uint32_t side = sideOf(r.lo[axis], r.hi[axis], s.position, s.planarLeft);
+    if (side != (kLeft | kRight)) return side;
+    const Box box{r.lo, r.hi};
+    Box left = leftOf(box, s.axis, s.position);
+    Box right = rightOf(box, s.axis, s.position);
+    if (a.settings.clip) {
+        left = clippedBox(a.set->triangles[r.prim], left);
+        right = clippedBox(a.set->triangles[r.prim], right);
+    }
+    a.clipped[2 * i] = left;
+    a.clipped[2 * i + 1] = right;
+    return kClipped | (isEmpty(left) ? 0 : kLeft) | (isEmpty(right) ? 0 : kRight);
+}
+
+}  // namespace
+
+void classify(BuildArrays& a, uint32_t depth) {
+    const uint32_t count = a.state.level[depth].refCount;
+    std::fill_n(a.blockSums.begin(), ceilDiv(count, kBlock), glm::uvec4(0));
+    for (uint32_t i = 0; i < count; i++) {
+        a.sides[i] = classifyOne(a, depth, i);
+        a.blockSums[i / kBlock].x += (a.sides[i] & kLeft) ? 1 : 0;
+        a.blockSums[i / kBlock].y += (a.sides[i] & kRight) ? 1 : 0;
+    }
+}
+
+}  // namespace cleave::twin

@@ -1,0 +1,29 @@
+#include "passes.h"
+
+namespace cleave::twin {
+
+// References arrive node by node, so the next level's list is: for each split node the left ones, then the right ones.
+void partition(BuildArrays& a, uint32_t depth) {
+    std::vector<PrimRef>& out = a.refs[(depth + 1) % 2];
+    uint32_t next = 0;
+    for (uint32_t n = 0; n < a.state.level[depth].nodeCount; n++) {
+        const BuildNode& node = a.nodes[depth % 2][n];
+        const KdNode emitted = a.tree[node.treeNode];
+        const uint32_t child = nodeChild(emitted) - a.state.nodeBase;
+        for (uint32_t side : {kLeft, kRight}) {
+            for (uint32_t k = 0; k < node.count; k++) {
+                const PrimRef& r = a.refs[depth % 2][node.first + k];
+                const uint32_t sides = a.sides[node.first + k];
+                if (isLeaf(emitted)) {
+                    a.leafRefs[leafFirst(emitted) + k] = r.prim;
+                } else if (sides & side) {
+                    const Box box =
+                        sides & kClipped ? a.clipped[2 * (node.first + k) + (side == kRight ? 1 : 0)] : Box{r.lo, r.hi};
+                    out[next++] = PrimRef{box.lo, r.prim, box.hi, child + (side == kRight ? 1 : 0)};
+                }
+            }
+        }
+    }
+}
+
+}  // namespace cleave::twin

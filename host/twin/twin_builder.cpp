@@ -1,0 +1,55 @@
+#include "twin_builder.h"
+
+#include "passes.h"
+
+namespace cleave {
+
+namespace {
+
+void buildLevel(BuildArrays& a, uint32_t depth) {
+    twin::bounds(a, depth);
+    twin::bin(a, depth);
+    twin::chooseSplit(a, depth);
+    twin::exactSplit(a, depth);
+    twin::classify(a, depth);
+    twin::scan(a, depth, false);
+    twin::offsets(a, depth);
+    twin::countChildren(a, depth);
+    twin::scan(a, depth, true);
+    twin::nextLevel(a, depth);
+    twin::emitNodes(a, depth);
+    twin::partition(a, depth);
+}
+
+}  // namespace
+
+TwinResult buildTwin(const TriangleSet& set, const BuildSettings& settings) {
+    const uint64_t included = set.included.size();
+    BuildCapacity capacity = limitedCapacity(firstCapacity(included), settings.memory, included, settings.exactBelow);
+    while (true) {
+        BuildArrays a = makeArrays(set, settings, capacity);
+        twin::makeRefs(a);
+        twin::begin(a);
+        for (uint32_t depth = 0; depth <= a.maxDepth && a.state.level[depth].nodeCount > 0; depth++)
+            buildLevel(a, depth);
+
+        const BuildCapacity larger =
+            limitedCapacity(grownCapacity(capacity, a.state), settings.memory, included, settings.exactBelow);
+        const bool overflowed = a.state.neededRefs || a.state.neededNodes || a.state.neededLeafRefs;
+        if (overflowed && bufferBytes(larger, settings.exactBelow) > bufferBytes(capacity, settings.exactBelow)) {
+            capacity = larger;
+            continue;
+        }
+        TwinResult result;
+        result.memoryLimited = overflowed;
+        result.tree.bounds = rootCell(set);
+        result.tree.exponent = set.exponent;
+        a.tree.resize(a.state.nodesUsed);
+        a.leafRefs.resize(a.state.leafRefsUsed);
+        result.tree.nodes = std::move(a.tree);
+        result.tree.leafTriangles = std::move(a.leafRefs);
+        return result;
+    }
+}
+
+}  // namespace cleave
