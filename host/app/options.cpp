@@ -122,12 +122,14 @@ void addTraversal(CLI::App& app, Options& options) {
     addWhole(app, "--check", "judge so many of the rays by the reference", options.check, 1, uint64_t{1} << 32);
 }
 
-void addScenes(CLI::App& app, Options& options, const std::string& text, bool needed) {
-    app.add_option("SCENE", options.scenes, text)->type_name("FILE")->expected(needed ? 1 : 0, 1)->required(needed);
+// One scene. (A list limited to one would take the next argument too, and complain.)
+void addScene(CLI::App& app, Options& options, const std::string& text, bool needed) {
+    const auto read = [&options](const std::string& given) { options.scenes = {given}; };
+    app.add_option_function<std::string>("SCENE", read, text)->type_name("FILE")->required(needed);
 }
 
 void addRender(CLI::App& app, Options& options) {
-    addScenes(app, options, ".gltf or .glb; a scene of ours where left out", false);
+    addScene(app, options, ".gltf or .glb; a scene of ours where left out", false);
     app.add_option("-o,--output", options.output, "the picture (out.png)")->type_name("FILE");
     addParsed<glm::uvec2>(
         app, "--size", "WxH", "pixels (1280x720)", parseSize,
@@ -157,7 +159,7 @@ void addRender(CLI::App& app, Options& options) {
 }
 
 void addTrace(CLI::App& app, Options& options) {
-    addScenes(app, options, ".gltf or .glb", true);
+    addScene(app, options, ".gltf or .glb", true);
     app.add_option("RAYS", options.rays, "rays as .npy: float32 (N, 8): origin, tMin, direction, tMax")
         ->type_name("FILE")
         ->required();
@@ -170,7 +172,7 @@ void addTrace(CLI::App& app, Options& options) {
 }
 
 void addInfo(CLI::App& app, Options& options) {
-    addScenes(app, options, ".gltf or .glb", true);
+    addScene(app, options, ".gltf or .glb", true);
     app.add_flag("--validate", options.validate, "check the tree against its triangles");
     addBuild(app, options, false);
     addOutput(app, options);

@@ -24,8 +24,9 @@ struct BuiltTree {
     TreeStatistics statistics;
     std::string hash;          // treeHash(tree)
     std::vector<double> runs;  // ms of each build
-    double ms = 0.0;  // median of the runs; GPU: triangles on the device to a tree ready to trace, warm. CPU: in memory
-                      // to a KdTree
+    // Median of the runs. GPU: warm, from triangles on the device to a tree ready to trace. CPU: from triangles in
+    // memory to a KdTree.
+    double ms = 0.0;
     double setupMs = 0.0;  // compilation and pipelines, GPU only
     // GPU: scratch and tree on the device. CPU builders do not count their scratch: the tree's own bytes, a lower
     // bound.

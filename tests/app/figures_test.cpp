@@ -1,0 +1,113 @@
+#include "app/figures.h"
+
+#include <gtest/gtest.h>
+
+#include "app/json_report.h"
+#include "app/text.h"
+
+namespace cleave::test {
+namespace {
+
+BuilderFigures figuresOf(Builder builder, double sahCost, uint64_t references) {
+    BuilderFigures f;
+    f.built.builder = builder;
+    f.built.runs = {3.0, 1.5, 2.0};
+    f.built.ms = medianOf(f.built.runs);
+    f.built.peakBytes = 3u << 20;
+    f.built.statistics.nodes = 1234567;
+    f.built.statistics.references = references;
+    f.built.statistics.maxDepth = 9;
+    f.built.statistics.sahCost = sahCost;
+    f.sets[0] = {1000000, 500.0, 0, 0, {}};
+    f.sets[0].check.rays = 2048;
+    return f;
+}
+
+TEST(Timing, Median) {
+    EXPECT_EQ(medianOf({5.0}), 5.0);
+    EXPECT_EQ(medianOf({9.0, 1.0, 2.0}), 2.0);
+    EXPECT_EQ(medianOf({9.0, 1.0, 2.0, 4.0}), 3.0);
+}
+
+TEST(Timing, RaysPerSecond) {
+    EXPECT_EQ(mraysPerSecond(1000000, 500.0), 2.0);
+    EXPECT_EQ(mraysPerSecond(1000000, 0.0), std::nullopt);
+    EXPECT_EQ(mraysPerSecond(0, 1.0), std::nullopt);
+}
+
+TEST(Text, AlignsColumns) {
+    EXPECT_EQ(alignedTable({{"a", "bb"}, {"ccc", "d"}}, "lr"), "a    bb\nccc   d\n");
+    EXPECT_EQ(alignedTable({{"\xC3\xA9", "b"}, {"cc", "d"}}, "ll"), "\xC3\xA9   b\ncc  d\n") << "UTF-8 has its width";
+}
+
+TEST(Text, Numbers) {
+    EXPECT_EQ(grouped(0), "0");
+    EXPECT_EQ(grouped(999), "999");
+    EXPECT_EQ(grouped(69451), "69,451");
+    EXPECT_EQ(grouped(1234567), "1,234,567");
+    EXPECT_EQ(fixed(1.25, 1), "1.2");
+    EXPECT_EQ(fixed(std::nullopt, 1), "-");
+    EXPECT_EQ(fixed(std::numeric_limits<double>::infinity(), 1), "-");
+    EXPECT_EQ(bytesText(3u << 20), "3.0 MiB");
+}
+
+TEST(Text, OneLineHasNoControlCharacters) { EXPECT_EQ(oneLine("a\nb\x1b[31mc\n"), "a b [31mc"); }
+
+TEST(BenchTable, BuildersSideBySideWithRatios) {
+    const std::string table =
+        treeTable({figuresOf(Builder::gpu, 110.0, 3000), figuresOf(Builder::exact, 100.0, 2000)}, 1000);
+    EXPECT_EQ(
+        table,
+        "builder  build ms    min..max  SAH cost  /exact      nodes  references  /triangle  /exact  depth  inner  "
+        "leaves  triangles     peak\n"
+        "gpu          2.00  1.50..3.00   110.000   1.100  1,234,567       3,000       3.00   1.500      9      -  "
+        "     -          -  3.0 MiB\n"
+        "exact        2.00  1.50..3.00   100.000   1.000  1,234,567       2,000       2.00   1.000      9      -  "
+        "     -          -  3.0 MiB\n");
+}
+
+TEST(BenchTable, WithoutExactThereAreNoRatiosToIt) {
+    const std::string table = treeTable({figuresOf(Builder::gpu, 110.0, 3000)}, 1000);
+    EXPECT_EQ(table.find("/exact"), std::string::npos);
+    EXPECT_NE(table.find("3,000"), std::string::npos);
+    EXPECT_NE(treeTable({figuresOf(Builder::gpu, 1.0, 0)}, 0).find("-"), std::string::npos) << "an empty scene";
+}
+
+TEST(BenchTable, Rays) {
+    EXPECT_EQ(rayTable({figuresOf(Builder::gpu, 110.0, 3000)}),
+              "builder  primary ms  Mrays/s  diffuse ms  Mrays/s  shadow ms  Mrays/s  checked  undecided\n"
+              "gpu          500.00    2.000           -        -          -        -    2,048          0\n");
+}
+
+TEST(JsonReport, KeysOfABuild) {
+    const Json json = buildJson(figuresOf(Builder::exact, 100.0, 2000).built);
+    for (const char* key :
+         {"builder", "ms", "setupMs", "sahCost", "treeHash", "nodes", "leaves", "references", "maxDepth", "peakBytes",
+          "memoryLimited", "expectedInner", "expectedLeaves", "expectedTriangles"})
+        EXPECT_TRUE(json.contains(key)) << key;
+    EXPECT_EQ(json["builder"], "exact");
+    EXPECT_EQ(json["sahCost"], 100.0);
+    EXPECT_TRUE(json["expectedInner"].is_null());
+}
+
+TEST(JsonReport, KeysOfTraceAndCheck) {
+    const Json trace = traceJson(1000000, 500.0, 3, 0);
+    EXPECT_EQ(trace["rays"], 1000000);
+    EXPECT_EQ(trace["ms"], 500.0);
+    EXPECT_EQ(trace["mraysPerSecond"], 2.0);
+    EXPECT_EQ(trace["traversal"], "restart");
+    EXPECT_EQ(trace["invalidRays"], 3);
+    EXPECT_TRUE(traceJson(0, 0.0, 0, 0)["mraysPerSecond"].is_null());
+    CheckResult check;
+    check.rays = 7;
+    check.undecided = 1;
+    const Json json = checkJson(check);
+    EXPECT_EQ(json["rays"], 7);
+    EXPECT_EQ(json["mismatches"], 0);
+    EXPECT_EQ(json["undecided"], 1);
+    EXPECT_EQ(json["maxRelativeTError"], 0.0);
+    EXPECT_TRUE(numberJson(std::numeric_limits<double>::quiet_NaN()).is_null());
+}
+
+}  // namespace
+}  // namespace cleave::test

@@ -1,0 +1,157 @@
+#include "app/options.h"
+
+#include <gtest/gtest.h>
+
+#include "app/option_values.h"
+#include "error.h"
+
+namespace cleave::test {
+namespace {
+
+Request request(std::vector<const char*> arguments) {
+    arguments.insert(arguments.begin(), "cleave");
+    return parseCommandLine(static_cast<int>(arguments.size()), arguments.data());
+}
+Options parse(const std::vector<const char*>& arguments) { return std::get<Options>(request(arguments)); }
+
+// The text of the refusal; empty if the use is right.
+std::string refusal(const std::vector<const char*>& arguments) {
+    try {
+        request(arguments);
+    } catch (const UsageError& error) {
+        return error.what();
+    }
+    return "";
+}
+void expectRefused(const std::vector<const char*>& arguments, const std::string& part) {
+    const std::string text = refusal(arguments);
+    EXPECT_NE(text.find(part), std::string::npos) << "refusal: '" << text << "', wanted: " << part;
+}
+
+TEST(Options, Defaults) {
+    const Options o = parse({"render"});
+    EXPECT_EQ(o.command, Command::render);
+    EXPECT_TRUE(o.scenes.empty());
+    EXPECT_EQ(o.output, "out.png");
+    EXPECT_EQ(o.builders, std::vector{Builder::gpu});
+    EXPECT_EQ(o.width, 1280u);
+    EXPECT_EQ(o.height, 720u);
+    EXPECT_EQ(o.view, View::shaded);
+    EXPECT_EQ(o.settings.threads, 2u);
+    EXPECT_EQ(o.settings.memory, 0u);
+    EXPECT_TRUE(o.settings.clip);
+    EXPECT_FALSE(o.json || o.eye || o.look || o.fov || o.quiet);
+    EXPECT_EQ(o.check, 0u);
+}
+
+TEST(Options, RenderTakesThemAll) {
+    const Options o =
+        parse({"render",  "a.glb",         "-o",     "b.png",       "--size",  "64x48",     "--camera", "main",
+               "--eye",   "-1,2e0,-.5",    "--look", "0,0,0",       "--fov",   "30",        "--view",   "leaves",
+               "--check", "100",           "--json", "c.json",      "--quiet", "--builder", "exact",    "--traversal",
+               "restart", "--device",      "llvm",   "--threads",   "3",       "--memory",  "512M",     "--bins",
+               "16",      "--exact-below", "8",      "--max-depth", "20",      "--clip",    "off"});
+    EXPECT_EQ(o.scenes.front(), "a.glb");
+    EXPECT_EQ(o.output, "b.png");
+    EXPECT_EQ(o.width, 64u);
+    EXPECT_EQ(o.height, 48u);
+    EXPECT_EQ(o.camera, "main");
+    EXPECT_EQ(*o.eye, glm::dvec3(-1, 2, -0.5));
+    EXPECT_EQ(*o.look, glm::dvec3(0));
+    EXPECT_EQ(*o.fov, 30.0);
+    EXPECT_EQ(o.view, View::leaves);
+    EXPECT_EQ(o.check, 100u);
+    EXPECT_EQ(*o.json, "c.json");
+    EXPECT_TRUE(o.quiet);
+    EXPECT_EQ(o.builders, std::vector{Builder::exact});
+    EXPECT_EQ(o.device, "llvm");
+    EXPECT_EQ(o.settings.threads, 3u);
+    EXPECT_EQ(o.settings.memory, 512u << 20);
+    EXPECT_EQ(o.settings.bins, 16u);
+    EXPECT_EQ(o.settings.exactBelow, 8u);
+    EXPECT_EQ(o.settings.maxDepth, 20u);
+    EXPECT_FALSE(o.settings.clip);
+}
+
+TEST(Options, OtherCommands) {
+    const Options trace = parse({"trace", "a.glb", "r.npy", "--any"});
+    EXPECT_EQ(trace.rays, "r.npy");
+    EXPECT_EQ(trace.output, "hits.npy");
+    EXPECT_EQ(trace.query, Query::any);
+    const Options bench =
+        parse({"bench", "a.glb", "b.glb", "--runs", "7", "--interior", "--builder", "gpu,exact,twin"});
+    EXPECT_EQ(bench.scenes.size(), 2u);
+    EXPECT_EQ(bench.runs, 7u);
+    EXPECT_TRUE(bench.interior);
+    EXPECT_EQ(bench.builders, (std::vector{Builder::gpu, Builder::exact, Builder::twin}));
+    EXPECT_TRUE(parse({"info", "a.glb", "--validate"}).validate);
+    EXPECT_EQ(parse({"devices"}).command, Command::devices);
+}
+
+TEST(Options, HelpAndVersion) {
+    EXPECT_NE(std::get<std::string>(request({"--help"})).find("render"), std::string::npos);
+    EXPECT_NE(std::get<std::string>(request({"render", "--help"})).find("--size"), std::string::npos);
+    EXPECT_EQ(std::get<std::string>(request({"--version"})).find("cleave "), 0u);
+    EXPECT_EQ(std::get<std::string>(request({"bench", "--version"})).find("cleave "), 0u);
+}
+
+TEST(Options, WrongUseNamesWhatThereIs) {
+    for (const auto& wrong : std::vector<std::vector<const char*>>{{}, {"rendr"}, {"stability"}, {"report", "a.glb"}})
+        expectRefused(wrong, "render, trace, info, bench, devices");
+    expectRefused({"render", "--builder", "nope"}, "gpu, twin, exact, brute");
+    expectRefused({"render", "--builder", "shevtsov"}, "gpu, twin, exact, brute");
+    expectRefused({"render", "--builder", "gpu,exact"}, "gpu, twin, exact, brute");
+    expectRefused({"bench", "a.glb", "--builder", "gpu,,exact"}, "''");
+    expectRefused({"bench", "a.glb", "--builder", "gpu,gpu"}, "twice");
+    expectRefused({"trace", "a.glb", "b.npy", "--traversal", "stack"}, "restart");
+    expectRefused({"render", "--view", "fog"}, "shaded, normals, depth, steps, leaves");
+    expectRefused({"render", "--clip", "maybe"}, "on, off");
+}
+
+TEST(Options, OptionsOfLaterAreNotTakenYet) {
+    for (const char* option : {"--spp", "--time", "--frames", "--subsample", "--leaf-size", "--axes", "--aperture"}) {
+        expectRefused({"render", option, "4"}, option);
+        expectRefused({"render", option, "4"}, "--size");
+    }
+    for (const char* option : {"--peers", "--survey"}) expectRefused({"bench", "a.glb", option}, "--runs");
+    expectRefused({"trace", "a.glb", "r.npy", "--all", "3"}, "--any");
+    expectRefused({"info", "a.glb", "--check", "3"}, "--validate");
+    expectRefused({"render", "a.glb", "b.glb"}, "b.glb");
+}
+
+TEST(Options, BadValues) {
+    for (const char* size :
+         {"big", "0x10", "10x0", "10", "10x", "x10", "1e3x10", "-5x5", "20000x1", "16384x16384", "8x8x8"})
+        expectRefused({"render", "--size", size}, "WIDTHxHEIGHT");
+    for (const char* eye : {"1,2", "1,2,3,4", "a,b,c", "1,,3", "nan,0,0", "inf,0,0", "1,2,3 "})
+        expectRefused({"render", "--eye", eye}, "x,y,z");
+    for (const char* fov : {"0", "180", "-10", "nan", "wide"}) expectRefused({"render", "--fov", fov}, "angle");
+    for (const char* memory : {"0", "lots", "1T", "-1", "M", "99999999999G", "1.5G"})
+        expectRefused({"render", "--memory", memory}, "size");
+    for (const char* count : {"0", "-1", "many", "1.5", ""})
+        expectRefused({"render", "--check", count}, "whole number");
+    expectRefused({"render", "--bins", "1"}, "from 2 to 32");
+    expectRefused({"render", "--bins", "33"}, "from 2 to 32");
+    expectRefused({"render", "--exact-below", "33"}, "from 0 to 32");
+    expectRefused({"render", "--max-depth", "64"}, "from 1 to 63");
+    expectRefused({"render", "--threads", "0"}, "from 1 to");
+    expectRefused({"bench", "a.glb", "--runs", "0"}, "from 1 to");
+    expectRefused({"render", "--size"}, "--size");
+    expectRefused({"info"}, "SCENE");
+    expectRefused({"bench"}, "SCENE");
+    expectRefused({"trace", "a.glb"}, "RAYS");
+    expectRefused({"render", "-o", "a", "--json", "./a"}, "same file");
+}
+
+TEST(OptionValues, Bytes) {
+    EXPECT_EQ(parseBytes("1048576"), 1u << 20);
+    EXPECT_EQ(parseBytes("64K"), 1u << 16);
+    EXPECT_EQ(parseBytes("2G"), uint64_t{2} << 30);
+    EXPECT_EQ(parseBytes("512MiB"), 512u << 20);
+    EXPECT_EQ(parseBytes("512MB"), 512u << 20);
+    EXPECT_EQ(parseBytes("17179869183G"), uint64_t{17179869183u} << 30);
+    EXPECT_EQ(parseBytes("17179869184G"), std::nullopt) << "2^64 bytes do not fit";
+}
+
+}  // namespace
+}  // namespace cleave::test

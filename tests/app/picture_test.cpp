@@ -1,0 +1,83 @@
+#include <gtest/gtest.h>
+#include <stb_image.h>
+
+#include <set>
+
+#include "app/legend.h"
+#include "app/png.h"
+#include "error.h"
+
+namespace cleave::test {
+namespace {
+
+TEST(Png, HoldsThePixels) {
+    std::vector<uint32_t> pixels(35);
+    for (uint32_t i = 0; i < pixels.size(); ++i) pixels[i] = 0xFF000000u | i * 0x010305u;
+    const std::vector<std::byte> png = pngOf(7, 5, pixels);
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+    stbi_uc* got = stbi_load_from_memory(reinterpret_cast<const stbi_uc*>(png.data()), static_cast<int>(png.size()),
+                                         &width, &height, &channels, 3);
+    ASSERT_NE(got, nullptr);
+    EXPECT_EQ(width, 7);
+    EXPECT_EQ(height, 5);
+    EXPECT_EQ(channels, 3);
+    for (size_t i = 0; i < pixels.size(); ++i)
+        EXPECT_EQ(got[3 * i] | got[3 * i + 1] << 8 | got[3 * i + 2] << 16, static_cast<int>(pixels[i] & 0xFFFFFF)) << i;
+    stbi_image_free(got);
+}
+
+TEST(Png, RefusesSizesThatDoNotFitThePixels) {
+    EXPECT_THROW(pngOf(2, 2, std::vector<uint32_t>(3)), Error);
+    EXPECT_THROW(pngOf(0, 0, {}), Error);
+}
+
+Picture greyPicture(uint32_t width, uint32_t height, float low, float high) {
+    Picture picture;
+    picture.width = width;
+    picture.height = height;
+    picture.pixels.assign(size_t{width} * height, 0xFF808080u);
+    picture.scaleLow = low;
+    picture.scaleHigh = high;
+    return picture;
+}
+
+// Which pixels of the lower left panel are drawn white by `high` alone.
+std::vector<uint32_t> legendOf(float high) {
+    Picture picture = greyPicture(200, 100, 0.0f, high);
+    drawLegend(picture);
+    return picture.pixels;
+}
+
+TEST(Legend, ShowsTheNumbers) {
+    std::set<std::vector<uint32_t>> all;
+    for (int digit = 0; digit < 10; ++digit) all.insert(legendOf(static_cast<float>(digit)));
+    EXPECT_EQ(all.size(), 10u) << "every digit has its own shape";
+    EXPECT_EQ(legendOf(12.0f), legendOf(12.4f)) << "counts are whole";
+    // The left stroke of the 1 of "17", which ends at dot 99 of the panel: two digits of 5 dots and a gap.
+    const std::vector<uint32_t> pixels = legendOf(17.0f);
+    EXPECT_EQ(pixels[(100 - 23 + 3) * 200 + 3 + 96 - 11 + 2], 0xFFFFFFFFu);
+}
+
+TEST(Legend, StaysInItsCorner) {
+    Picture picture = greyPicture(200, 100, 0.0f, 99999999.0f);
+    drawLegend(picture);
+    size_t changed = 0;
+    for (uint32_t y = 0; y < 100; ++y)
+        for (uint32_t x = 0; x < 200; ++x) {
+            const bool inside = x < 102 && y >= 77;
+            EXPECT_TRUE(inside || picture.pixels[y * 200 + x] == 0xFF808080u) << x << ", " << y;
+            changed += picture.pixels[y * 200 + x] != 0xFF808080u;
+        }
+    EXPECT_GT(changed, 2000u);
+}
+
+TEST(Legend, LeavesASmallPictureAlone) {
+    Picture picture = greyPicture(101, 100, 0.0f, 9.0f);
+    drawLegend(picture);
+    EXPECT_EQ(picture.pixels, greyPicture(101, 100, 0.0f, 9.0f).pixels);
+}
+
+}  // namespace
+}  // namespace cleave::test
