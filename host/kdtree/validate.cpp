@@ -221,6 +221,8 @@ class Validator {
             } else {
                 part.lo[axis] = std::max(part.lo[axis], plane);
             }
+            // The planes of one side may lie outside the rectangle that the other has already cut.
+            if (axis != sheet.axis && part.lo[axis] >= part.hi[axis]) continue;
             coverPair(sheet, inside || index == behind ? child : behind, inside || index == before ? child : before,
                       part);
         }
