@@ -10,13 +10,16 @@ namespace cleave {
 
 // In entries; see BuildArgs.
 struct BuildCapacity {
-    uint32_t refs = 0;      // references of one level
-    uint32_t nodes = 0;     // of the tree
-    uint32_t leafRefs = 0;  // of all leaves
+    uint32_t refs = 0;        // references of one level
+    uint32_t levelNodes = 0;  // nodes of one level
+    uint32_t nodes = 0;       // of the tree
+    uint32_t leafRefs = 0;    // of all leaves
 };
 
 // The room that a build over `included` triangles starts with.
 BuildCapacity firstCapacity(uint64_t included);
+// Whether the build wanted more room than it had.
+bool overflowed(const BuildState& state);
 // More room, where a build with `capacity` needed it (state.needed...); no field shrinks.
 BuildCapacity grownCapacity(const BuildCapacity& capacity, const BuildState& state);
 // `capacity`, cut down so that its buffers take at most `bytes` (0: no limit); at least one reference per included

@@ -8,7 +8,7 @@ BuildBuffers::BuildBuffers(Context& context, const BuildCapacity& room, uint32_t
     const size_t chunkCount = chunkCapacity(room.refs, below);
     for (int parity = 0; parity < 2; parity++) {
         refs[parity] = Buffer(context, room.refs * sizeof(PrimRef));
-        nodes[parity] = Buffer(context, room.nodes * sizeof(BuildNode));
+        nodes[parity] = Buffer(context, room.levelNodes * sizeof(BuildNode));
     }
     chunks = Buffer(context, chunkCount * sizeof(Chunk));
     bounds = Buffer(context, chunkCount * kBoundsWords * words);
@@ -18,7 +18,7 @@ BuildBuffers::BuildBuffers(Context& context, const BuildCapacity& room, uint32_t
     clipped = Buffer(context, room.refs * 2 * sizeof(Box));
     offsets = Buffer(context, (size_t(room.refs) + 1) * sizeof(glm::uvec2));
     blockSums = Buffer(context, ceilDiv(room.refs, kBlock) * sizeof(glm::uvec4));
-    nodeSums = Buffer(context, ceilDiv(room.nodes, kBlock) * sizeof(glm::uvec4));
+    nodeSums = Buffer(context, ceilDiv(room.levelNodes, kBlock) * sizeof(glm::uvec4));
     tree = Buffer(context, room.nodes * sizeof(KdNode));
     leafRefs = Buffer(context, room.leafRefs * words);
     state = Buffer(context, sizeof(BuildState));
@@ -48,6 +48,7 @@ void BuildBuffers::bind(const DeviceTriangles& triangles, const BuildSettings& s
     a.root = triangles.root;
     a.includedCount = triangles.includedCount;
     a.refCapacity = capacity.refs;
+    a.levelNodeCapacity = capacity.levelNodes;
     a.nodeCapacity = capacity.nodes;
     a.leafRefCapacity = capacity.leafRefs;
     a.binCount = settings.bins;

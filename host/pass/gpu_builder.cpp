@@ -27,8 +27,8 @@ struct GpuBuilder::Impl {
 
     void reserve(const BuildCapacity& c, uint32_t exactBelow) {
         const BuildCapacity& had = buffers.capacity;
-        if (had.refs == c.refs && had.nodes == c.nodes && had.leafRefs == c.leafRefs &&
-            buffers.exactBelow == exactBelow)
+        if (had.refs == c.refs && had.levelNodes == c.levelNodes && had.nodes == c.nodes &&
+            had.leafRefs == c.leafRefs && buffers.exactBelow == exactBelow)
             return;
         buffers = BuildBuffers();  // frees the old ones first
         buffers = BuildBuffers(context, c, exactBelow);
@@ -63,14 +63,14 @@ GpuBuilder::Result GpuBuilder::build(std::shared_ptr<DeviceTriangles> triangles,
     BuildCapacity capacity = limitedCapacity(firstCapacity(included), settings.memory, included, below);
     // Without a limit the tree does not depend on the room, so a build gets what an earlier one needed.
     const BuildCapacity& had = impl_->buffers.capacity;
-    if (settings.memory == 0 && had.refs >= capacity.refs && had.nodes >= capacity.nodes &&
-        had.leafRefs >= capacity.leafRefs)
+    if (settings.memory == 0 && had.refs >= capacity.refs && had.levelNodes >= capacity.levelNodes &&
+        had.nodes >= capacity.nodes && had.leafRefs >= capacity.leafRefs)
         capacity = had;
     BuildState state{};
     for (result.attempts = 1;; result.attempts++) {
         impl_->reserve(capacity, below);
         state = impl_->run(*triangles, settings);
-        result.memoryLimited = state.neededRefs || state.neededNodes || state.neededLeafRefs;
+        result.memoryLimited = overflowed(state);
         const BuildCapacity larger = limitedCapacity(grownCapacity(capacity, state), settings.memory, included, below);
         if (!result.memoryLimited || bufferBytes(larger, below) <= bufferBytes(capacity, below)) break;
         capacity = larger;

@@ -11,7 +11,7 @@ BuildArrays makeArrays(const TriangleSet& set, const BuildSettings& settings, co
     const uint32_t chunks = chunkCapacity(capacity.refs, settings.exactBelow);
     for (int parity = 0; parity < 2; parity++) {
         a.refs[parity].resize(capacity.refs);
-        a.nodes[parity].resize(capacity.nodes);
+        a.nodes[parity].resize(capacity.levelNodes);
     }
     a.chunks.resize(chunks);
     a.bounds.resize(size_t(chunks) * kBoundsWords);
@@ -21,7 +21,7 @@ BuildArrays makeArrays(const TriangleSet& set, const BuildSettings& settings, co
     a.clipped.resize(size_t(capacity.refs) * 2);
     a.offsets.resize(size_t(capacity.refs) + 1);
     a.blockSums.resize(ceilDiv(capacity.refs, kBlock));
-    a.nodeSums.resize(ceilDiv(capacity.nodes, kBlock));
+    a.nodeSums.resize(ceilDiv(capacity.levelNodes, kBlock));
     a.tree.resize(capacity.nodes);
     a.leafRefs.resize(capacity.leafRefs);
     return a;

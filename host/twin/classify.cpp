@@ -13,15 +13,11 @@ uint32_t classifyOne(BuildArrays& a, uint32_t depth, uint32_t i) {
     const uint32_t side = sideOf(r.lo[axis], r.hi[axis], s.position, s.planarLeft);
     if (side != (kLeft | kRight)) return side;
     const Box box{r.lo, r.hi};
-    Box left = leftOf(box, s.axis, s.position);
-    Box right = rightOf(box, s.axis, s.position);
-    if (a.settings.clip) {
-        left = clippedBox(a.set->triangles[r.prim], left);
-        right = clippedBox(a.set->triangles[r.prim], right);
-    }
-    a.clipped[2 * i] = left;
-    a.clipped[2 * i + 1] = right;
-    return kClipped | (isEmpty(left) ? 0 : kLeft) | (isEmpty(right) ? 0 : kRight);
+    SplitBoxes parts{leftOf(box, s.axis, s.position), rightOf(box, s.axis, s.position)};
+    if (a.settings.clip) parts = splitBoxes(a.set->triangles[r.prim], box, s.axis, s.position);
+    a.clipped[2 * i] = parts.left;
+    a.clipped[2 * i + 1] = parts.right;
+    return kClipped | (isEmpty(parts.left) ? 0 : kLeft) | (isEmpty(parts.right) ? 0 : kRight);
 }
 
 }  // namespace

@@ -35,13 +35,13 @@ TwinResult buildTwin(const TriangleSet& set, const BuildSettings& settings) {
 
         const BuildCapacity larger =
             limitedCapacity(grownCapacity(capacity, a.state), settings.memory, included, settings.exactBelow);
-        const bool overflowed = a.state.neededRefs || a.state.neededNodes || a.state.neededLeafRefs;
-        if (overflowed && bufferBytes(larger, settings.exactBelow) > bufferBytes(capacity, settings.exactBelow)) {
+        if (overflowed(a.state) &&
+            bufferBytes(larger, settings.exactBelow) > bufferBytes(capacity, settings.exactBelow)) {
             capacity = larger;
             continue;
         }
         TwinResult result;
-        result.memoryLimited = overflowed;
+        result.memoryLimited = overflowed(a.state);
         result.tree.bounds = rootCell(set);
         result.tree.exponent = set.exponent;
         a.tree.resize(a.state.nodesUsed);

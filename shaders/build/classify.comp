@@ -24,16 +24,16 @@ uint clipped(uint index) {
     Box box;
     box.lo = r.lo;
     box.hi = r.hi;
-    Box left = leftOf(box, node.split.axis, node.split.position);
-    Box right = rightOf(box, node.split.axis, node.split.position);
+    SplitBoxes parts;
     if (args.clip != 0u) {
-        Triangle t = args.triangles.at[r.prim];
-        left = clippedBox(t, left);
-        right = clippedBox(t, right);
+        parts = splitBoxes(args.triangles.at[r.prim], box, node.split.axis, node.split.position);
+    } else {
+        parts.left = leftOf(box, node.split.axis, node.split.position);
+        parts.right = rightOf(box, node.split.axis, node.split.position);
     }
-    args.clipped.at[2u * index] = left;
-    args.clipped.at[2u * index + 1u] = right;
-    return kClipped | (isEmpty(left) ? 0u : kLeft) | (isEmpty(right) ? 0u : kRight);
+    args.clipped.at[2u * index] = parts.left;
+    args.clipped.at[2u * index + 1u] = parts.right;
+    return kClipped | (isEmpty(parts.left) ? 0u : kLeft) | (isEmpty(parts.right) ? 0u : kRight);
 }
 
 void main() {

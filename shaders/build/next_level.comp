@@ -11,8 +11,10 @@ void main() {
     uint nodes = args.state.at.nodesUsed + 2u * totals.x;
     // All references of the next level may end in leaves: there must be room for them, too.
     uint leafRefs = args.state.at.leafRefsUsed + totals.y + refs;
-    bool fits = refs <= args.refCapacity && nodes <= args.nodeCapacity && leafRefs <= args.leafRefCapacity;
+    uint levelNodes = 2u * totals.x;
+    bool fits = refs <= args.refCapacity && levelNodes <= args.levelNodeCapacity && nodes <= args.nodeCapacity && leafRefs <= args.leafRefCapacity;
     if (refs > args.refCapacity) args.state.at.neededRefs = refs;
+    if (levelNodes > args.levelNodeCapacity) args.state.at.neededLevelNodes = levelNodes;
     if (nodes > args.nodeCapacity) args.state.at.neededNodes = nodes;
     if (leafRefs > args.leafRefCapacity) args.state.at.neededLeafRefs = leafRefs;
     args.state.at.finish = fits ? 0u : 1u;
@@ -22,7 +24,7 @@ void main() {
     if (fits) {
         args.state.at.nodesUsed = nodes;
         args.state.at.leafRefsUsed += totals.y;
-        args.state.at.level[push.depth + 1u] = levelOf(refs, 2u * totals.x, totals.z, totals.w);
+        args.state.at.level[push.depth + 1u] = levelOf(refs, levelNodes, totals.z, totals.w);
     } else {
         args.state.at.leafRefsUsed += thisLevel.refCount;
         args.state.at.level[push.depth + 1u] = levelOf(0u, 0u, 0u, 0u);

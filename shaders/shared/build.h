@@ -73,13 +73,14 @@ struct BuildState {
     uint levels;        // with nodes
     uint finish;        // 1: this level does not fit when split, so all its nodes become leaves
     uint neededRefs;    // capacities that the build would have needed; 0 where they sufficed
+    uint neededLevelNodes;
     uint neededNodes;
     uint neededLeafRefs;
     uvec4 refTotals;   // of the level: left, right references
     uvec4 nodeTotals;  // of the level: splits, references in leaves, chunks, small nodes
     Level level[kMaxDepth + 2u];
 };
-CLEAVE_SIZE(BuildState, 6568);
+CLEAVE_SIZE(BuildState, 6572);
 
 #ifndef __cplusplus
 #include "lib/build_arrays.glsl"
@@ -107,15 +108,15 @@ struct BuildArgs {
     CLEAVE_ADDRESS(BuildStateRef) state;
     Box root;
     uint includedCount;
-    uint refCapacity;   // of refs0, refs1, ...: references of one level
-    uint nodeCapacity;  // KdNodes; a level has no more nodes than the tree
+    uint refCapacity;        // references of one level: refs0, refs1, ...
+    uint levelNodeCapacity;  // nodes of one level
+    uint nodeCapacity;       // KdNodes
     uint leafRefCapacity;
     uint binCount;  // bins per axis, 2 to kBins
     uint exactBelow;
     uint maxDepth;
     uint clip;  // 0: boxes of straddling references are cut, not clipped
     float invBinCount;
-    uint padding;
 };
 CLEAVE_SIZE(BuildArgs, 208);
 

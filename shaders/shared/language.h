@@ -36,6 +36,7 @@ inline uint min(uint a, uint b) { return b < a ? b : a; }
 inline uint max(uint a, uint b) { return a < b ? b : a; }
 inline int min(int a, int b) { return b < a ? b : a; }
 inline int max(int a, int b) { return a < b ? b : a; }
+inline uint lowestBit(uint x) { return static_cast<uint>(std::countr_zero(x)); }  // x is not 0
 }  // namespace cleave
 #else
 #define CLEAVE_BEGIN
@@ -44,6 +45,7 @@ inline int max(int a, int b) { return a < b ? b : a; }
 #define CLEAVE_CONST const
 #define CLEAVE_SIZE(Type, bytes)
 #define CLEAVE_ADDRESS(Type) Type
+#define lowestBit(x) uint(findLSB(x))
 #endif
 
 CLEAVE_BEGIN
