@@ -15,7 +15,7 @@ constexpr double kPad = 0x1p-46;
 
 struct Corner {
     dvec3 at;
-    bool computed;  // by a cut; the others are the triangle's own vertices, exact
+    const vec3* vertex;  // the triangle's own, exact; null for what a cut computed
 };
 
 // A triangle cut by six planes has at most nine corners.
@@ -38,7 +38,7 @@ Polygon cut(const Polygon& polygon, int axis, double plane, double sign) {
             const Corner& from = dp < 0.0 ? p : q;
             const Corner& to = dp < 0.0 ? q : p;
             const double part = (plane - from.at[axis]) / (to.at[axis] - from.at[axis]);
-            Corner c{from.at + part * (to.at - from.at), true};
+            Corner c{from.at + part * (to.at - from.at), nullptr};
             c.at[axis] = plane;
             kept.add(c);
         }
@@ -63,8 +63,14 @@ Box boundsOf(const Polygon& polygon, const dvec3& origin, const dvec3& extent) {
     Box box = emptyBox();
     for (int i = 0; i < polygon.size; ++i) {
         const Corner& c = polygon.corners[i];
+        if (c.vertex != nullptr) {
+            box = including(box, *c.vertex);
+            continue;
+        }
         for (int axis = 0; axis < 3; ++axis) {
-            const double x = origin[axis] + c.at[axis], pad = c.computed ? kPad * extent[axis] : 0.0;
+            // The way back from the first vertex rounds, too: far from the origin by more than the pad.
+            const double x = origin[axis] + c.at[axis];
+            const double pad = kPad * extent[axis] + 0x1p-52 * std::fabs(x);
             box.lo[axis] = min(box.lo[axis], flushedDown(roundedDown(x - pad)));
             box.hi[axis] = max(box.hi[axis], flushedUp(roundedUp(x + pad)));
         }
@@ -80,9 +86,9 @@ Box clippedBox(const Triangle& t, const Box& cell) {
     if (isEmpty(limit)) return limit;
     const dvec3 origin(t.a), extent = dvec3(own.hi) - dvec3(own.lo);
     Polygon polygon;
-    polygon.add({dvec3(0.0), false});
-    polygon.add({dvec3(t.b) - origin, false});
-    polygon.add({dvec3(t.c) - origin, false});
+    polygon.add({dvec3(0.0), &t.a});
+    polygon.add({dvec3(t.b) - origin, &t.b});
+    polygon.add({dvec3(t.c) - origin, &t.c});
     for (int axis = 0; axis < 3; ++axis) {
         const double widen = kWiden * extent[axis];
         if (own.lo[axis] < cell.lo[axis]) polygon = cut(polygon, axis, cell.lo[axis] - origin[axis] - widen, -1.0);
