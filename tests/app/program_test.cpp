@@ -1,0 +1,269 @@
+// The built program from outside: exit status, what it prints, which files are there afterwards.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "app_support.h"
+#include "shared/ray.h"
+
+namespace cleave::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+class Program : public testing::Test {
+  protected:
+    void SetUp() override {
+        scene_ = (folder_ / "scene.gltf").string();
+        put(scene_, triangleScene());
+    }
+    std::string at(const std::string& name) const { return (folder_ / name).string(); }
+    Json reportOf(const std::string& name) const { return Json::parse(contentOf(folder_ / name)); }
+
+    // The files beside the scene, in order of their names.
+    std::vector<std::string> outputs() const {
+        std::vector<std::string> names = folder_.names();
+        std::erase_if(names, [](const std::string& name) { return name == "scene.gltf" || name.ends_with(".npy.in"); });
+        std::sort(names.begin(), names.end());
+        return names;
+    }
+    void expectFailure(const std::vector<std::string>& arguments, int status, const std::string& part) {
+        const Outcome outcome = runCleave(arguments);
+        EXPECT_EQ(outcome.status, status) << outcome.err;
+        EXPECT_EQ(outcome.errorLines(), 1u) << outcome.err;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+        EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+        EXPECT_EQ(outputs(), std::vector<std::string>{}) << "nothing may be left behind";
+    }
+    // A ray straight down onto the triangle, one past it, one that is none.
+    void putRays(const std::string& name) const {
+        const float rays[3][8] = {
+            {0, 0, 2, 0, 0, 0, -2, INFINITY}, {9, 9, 2, 0, 0, 0, -1, INFINITY}, {0, 0, 2, 0, 0, 0, 0, INFINITY}};
+        std::string bytes = std::string("\x93NUMPY\1\0", 8);
+        const std::string header = "{'descr': '<f4', 'fortran_order': False, 'shape': (3, 8), }\n";
+        bytes += {static_cast<char>(header.size()), '\0'};
+        put(folder_ / name, bytes + header + std::string(reinterpret_cast<const char*>(rays), sizeof rays));
+    }
+
+    TemporaryFolder folder_;
+    std::string scene_;
+};
+
+TEST_F(Program, WrongUseIsStatus2) {
+    for (const auto& wrong : std::vector<std::vector<std::string>>{{},
+                                                                   {"rendr"},
+                                                                   {"stability"},
+                                                                   {"render", "--size", "big"},
+                                                                   {"render", scene_, "--builder", "nope"},
+                                                                   {"render", scene_, "--spp", "4"},
+                                                                   {"trace", scene_},
+                                                                   {"info"},
+                                                                   {"info", scene_, "--runs", "3"},
+                                                                   {"bench"},
+                                                                   {"devices", "extra"}})
+        expectFailure(wrong, 2, "error: ");
+    expectFailure({"render", scene_, "-o", at("out.png"), "--camera", "nope"}, 2, "main");
+}
+
+TEST_F(Program, HelpAndVersionAreStatus0) {
+    for (const auto& asked : std::vector<std::vector<std::string>>{
+             {"--help"}, {"--version"}, {"render", "--help"}, {"bench", "--help"}, {"trace", "--version"}}) {
+        const Outcome outcome = runCleave(asked);
+        EXPECT_EQ(outcome.status, 0);
+        EXPECT_FALSE(outcome.out.empty());
+        EXPECT_EQ(outcome.err, "");
+    }
+}
+
+TEST_F(Program, FailuresAreStatus1WithOneLine) {
+    const std::string missing = at("none.glb");
+    expectFailure({"info", missing}, 1, "none.glb");
+    expectFailure({"render", missing, "-o", at("out.png")}, 1, "none.glb");
+    expectFailure({"bench", missing}, 1, "none.glb");
+    expectFailure({"trace", scene_, at("none.npy"), "-o", at("hits.npy")}, 1, "none.npy");
+    expectFailure({"render", scene_, "-o", at("no/such/out.png")}, 1, "there is no folder");
+    expectFailure({"render", scene_, "-o", at("out.png"), "--json", at("no/r.json")}, 1, "there is no folder");
+    expectFailure({"info", scene_, "--json", folder_.path().string()}, 1, "it is a folder");
+    expectFailure({"render", scene_, "-o", at("out.png"), "--device", "no such device"}, 1, "no such device");
+}
+
+TEST_F(Program, BadRaysLeaveNoOutput) {
+    putRays("cut.npy.in");
+    fs::resize_file(folder_ / "cut.npy.in", fs::file_size(folder_ / "cut.npy.in") - 1);
+    expectFailure({"trace", scene_, at("cut.npy.in"), "-o", at("hits.npy")}, 1, "announces 3 rays");
+}
+
+TEST_F(Program, InfoTellsSceneAndTree) {
+    const Outcome outcome = runCleave({"info", scene_, "--builder", "exact", "--validate", "--json", at("i.json")});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    for (const char* part : {"triangles", "camera 0", "main", "SAH cost", "valid"})
+        EXPECT_NE(outcome.out.find(part), std::string::npos) << part << " in\n" << outcome.out;
+    const Json report = reportOf("i.json");
+    EXPECT_EQ(report["scene"]["triangles"], 1);
+    EXPECT_EQ(report["scene"]["leftOut"]["points"], 0);
+    EXPECT_EQ(report["scene"]["leftOut"]["noArea"], 0);
+    EXPECT_EQ(report["build"]["builder"], "exact");
+    EXPECT_EQ(report["build"]["references"], 1);
+    EXPECT_EQ(report["validation"]["ok"], true);
+    EXPECT_GT(report["total"]["ms"], 0.0);
+    EXPECT_EQ(outputs(), std::vector<std::string>{"i.json"});
+}
+
+TEST_F(Program, InfoWithACpuBuilderNeedsNoDevice) {
+    const std::string noDriver = "VK_DRIVER_FILES=/dev/null VK_ICD_FILENAMES=/dev/null";
+    for (const char* builder : {"exact", "twin", "brute"}) {
+        const Outcome outcome = runCleave({"info", scene_, "--builder", builder}, noDriver);
+        EXPECT_EQ(outcome.status, 0) << builder << ": " << outcome.err;
+    }
+    const Outcome outcome = runCleave({"info", scene_, "--builder", "gpu", "--quiet"}, noDriver);
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.errorLines(), 1u) << outcome.err;
+}
+
+TEST_F(Program, QuietPrintsNothing) {
+    const Outcome outcome = runCleave({"info", scene_, "--builder", "exact", "--quiet"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_EQ(outcome.err, "");
+}
+
+TEST_F(Program, AFullOutputIsAFailure) {
+    const Outcome outcome = runCleave({"--help"}, "exec 9>/dev/full; f() { \"$@\" >&9; }; f");
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.errorLines(), 1u) << outcome.err;
+}
+
+TEST_F(Program, TraceAnswersRays) {
+    putRays("rays.npy.in");
+    for (const char* builder : {"gpu", "exact", "twin", "brute"}) {
+        const Outcome outcome = runCleave({"trace", scene_, at("rays.npy.in"), "-o", at("hits.npy"), "--builder",
+                                           builder, "--check", "3", "--json", at("t.json")});
+        ASSERT_EQ(outcome.status, 0) << builder << ": " << outcome.err;
+        const std::string bytes = contentOf(folder_ / "hits.npy");
+        ASSERT_EQ(bytes.size() % 64, 48u);
+        Hit hits[3];
+        std::memcpy(hits, bytes.data() + bytes.size() - sizeof hits, sizeof hits);
+        EXPECT_EQ(hits[0].t, 1.0f) << "in units of the direction, which is 2 long";
+        EXPECT_EQ(hits[0].prim, 0u);
+        EXPECT_EQ(hits[0].u, 0.25f);
+        EXPECT_EQ(hits[0].v, 0.25f);
+        EXPECT_EQ(hits[1].prim, kNone);
+        EXPECT_EQ(hits[1].t, infinity());
+        EXPECT_EQ(hits[2].prim, kNone);
+        const Json report = reportOf("t.json");
+        EXPECT_EQ(report["trace"]["rays"], 3);
+        EXPECT_EQ(report["trace"]["invalidRays"], 1);
+        EXPECT_EQ(report["trace"]["cappedRays"], 0);
+        EXPECT_EQ(report["check"]["mismatches"], 0);
+        EXPECT_EQ(report["check"]["rays"], 3);
+        EXPECT_TRUE(report["device"]["name"].is_string());
+    }
+    EXPECT_EQ(outputs(), (std::vector<std::string>{"hits.npy", "t.json"}));
+}
+
+TEST_F(Program, TraceWithAnyHit) {
+    putRays("rays.npy.in");
+    const Outcome outcome =
+        runCleave({"trace", scene_, at("rays.npy.in"), "-o", at("hits.npy"), "--any", "--check", "3"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+}
+
+TEST_F(Program, TheSameRenderTwiceGivesTheSameBytes) {
+    for (const char* view : {"shaded", "normals", "depth", "steps", "leaves"}) {
+        for (const char* name : {"a.png", "b.png"}) {
+            const Outcome outcome =
+                runCleave({"render", scene_, "-o", at(name), "--size", "128x96", "--view", view, "--quiet"});
+            ASSERT_EQ(outcome.status, 0) << view << ": " << outcome.err;
+            EXPECT_EQ(outcome.out, "");
+        }
+        EXPECT_EQ(contentOf(folder_ / "a.png").substr(0, 4), "\x89PNG");
+        EXPECT_EQ(contentOf(folder_ / "a.png"), contentOf(folder_ / "b.png")) << view;
+    }
+    EXPECT_EQ(outputs(), (std::vector<std::string>{"a.png", "b.png"}));
+}
+
+TEST_F(Program, RenderWritesEveryKeyOfItsReport) {
+    const Outcome outcome = runCleave({"render", scene_, "-o", at("a.png"), "--size", "64x48", "--camera", "main",
+                                       "--check", "500", "--json", at("r.json")});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const Json report = reportOf("r.json");
+    for (const char* key : {"/scene/triangles",
+                            "/scene/leftOut",
+                            "/device/name",
+                            "/build/builder",
+                            "/build/ms",
+                            "/build/setupMs",
+                            "/build/sahCost",
+                            "/build/treeHash",
+                            "/build/nodes",
+                            "/build/leaves",
+                            "/build/references",
+                            "/build/maxDepth",
+                            "/build/peakBytes",
+                            "/build/expectedInner",
+                            "/build/expectedLeaves",
+                            "/build/expectedTriangles",
+                            "/build/memoryLimited",
+                            "/trace/rays",
+                            "/trace/ms",
+                            "/trace/mraysPerSecond",
+                            "/trace/traversal",
+                            "/trace/invalidRays",
+                            "/trace/cappedRays",
+                            "/check/rays",
+                            "/check/mismatches",
+                            "/check/undecided",
+                            "/check/maxRelativeTError",
+                            "/total/ms"})
+        EXPECT_TRUE(report.contains(Json::json_pointer(key))) << key;
+    EXPECT_EQ(report["trace"]["rays"], 64 * 48);
+    EXPECT_EQ(report["check"]["rays"], 500);
+    EXPECT_EQ(report["check"]["mismatches"], 0);
+    EXPECT_GT(report["trace"]["ms"], 0.0);
+}
+
+TEST_F(Program, AnotherEyeGivesAnotherPicture) {
+    const auto render = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{"render", scene_, "-o", at("a.png"), "--size", "64x48", "--view", "depth"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome outcome = runCleave(arguments);
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        return contentOf(folder_ / "a.png");
+    };
+    const std::string own = render({});
+    EXPECT_EQ(own, render({"--camera", "0"}));
+    EXPECT_NE(own, render({"--eye", "1,2,3", "--look", "0,0,0"}));
+    EXPECT_NE(own, render({"--fov", "10"}));
+}
+
+TEST_F(Program, BenchShowsBuildersSideBySide) {
+    const Outcome outcome =
+        runCleave({"bench", scene_, "--runs", "1", "--builder", "gpu,exact", "--check", "64", "--json", at("b.json")});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    for (const char* part : {"gpu", "exact", "/exact", "primary ms", "Mrays/s"})
+        EXPECT_NE(outcome.out.find(part), std::string::npos) << part << " in\n" << outcome.out;
+    const Json report = reportOf("b.json");
+    for (const char* set : {"primary", "diffuse", "shadow"}) {
+        EXPECT_EQ(report["sets"][set]["rays"], 1024 * 1024) << set;
+        EXPECT_GT(report["sets"][set]["ms"], 0.0) << set;
+        EXPECT_EQ(report["sets"][set]["check"]["rays"], 64) << set;
+        EXPECT_EQ(report["sets"][set]["check"]["mismatches"], 0) << set;
+    }
+    ASSERT_EQ(report["builders"].size(), 2u);
+    EXPECT_EQ(report["builders"][1]["build"]["builder"], "exact");
+    EXPECT_EQ(report["check"]["rays"], 3 * 64);
+}
+
+TEST_F(Program, DevicesListsThem) {
+    const Outcome outcome = runCleave({"devices", "--json", at("d.json")});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_TRUE(reportOf("d.json")["devices"].is_array());
+    EXPECT_FALSE(outcome.out.empty());
+}
+
+}  // namespace
+}  // namespace cleave::test
