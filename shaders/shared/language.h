@@ -37,6 +37,7 @@ inline uint max(uint a, uint b) { return a < b ? b : a; }
 inline int min(int a, int b) { return b < a ? b : a; }
 inline int max(int a, int b) { return a < b ? b : a; }
 inline uint lowestBit(uint x) { return static_cast<uint>(std::countr_zero(x)); }  // x is not 0
+inline uint highestBit(uint x) { return 31u - static_cast<uint>(std::countl_zero(x)); }
 }  // namespace cleave
 #else
 #define CLEAVE_BEGIN
@@ -46,6 +47,7 @@ inline uint lowestBit(uint x) { return static_cast<uint>(std::countr_zero(x)); }
 #define CLEAVE_SIZE(Type, bytes)
 #define CLEAVE_ADDRESS(Type) Type
 #define lowestBit(x) uint(findLSB(x))
+#define highestBit(x) uint(findMSB(x))
 #endif
 
 CLEAVE_BEGIN
