@@ -44,7 +44,7 @@ std::string treeTable(const BuiltTree& built, const Session& session) {
     const size_t included = session.set().included.size();
     const double each = included > 0 ? static_cast<double>(s.references) / static_cast<double>(included) : 0.0;
     Rows rows{{"builder", nameOf(built.builder)},
-              {"build", fixed(built.ms, 2) + " ms"},
+              {"build", fixed(built.ms, 3) + " ms"},
               {"SAH cost", fixed(s.sahCost, 3)},
               {"expected per ray", fixed(s.expectedInner, 2) + " inner nodes, " + fixed(s.expectedLeaves, 2) +
                                        " leaves, " + fixed(s.expectedTriangles, 2) + " triangles"},

@@ -17,7 +17,7 @@ const TreeStatistics* exactAmong(const std::vector<BuilderFigures>& figures) {
 
 std::string rangeOf(const std::vector<double>& values) {
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    return fixed(*least, 2) + ".." + fixed(*most, 2);
+    return fixed(*least, 3) + ".." + fixed(*most, 3);
 }
 
 std::optional<double> ratio(std::optional<double> value, std::optional<double> to) {
@@ -28,7 +28,7 @@ std::optional<double> ratio(std::optional<double> value, std::optional<double> t
 Row treeRow(const BuiltTree& built, const TreeStatistics* exact, uint64_t included) {
     const TreeStatistics& s = built.statistics;
     const auto references = static_cast<double>(s.references);
-    Row row{nameOf(built.builder), fixed(built.ms, 2), rangeOf(built.runs), fixed(s.sahCost, 3)};
+    Row row{nameOf(built.builder), fixed(built.ms, 3), rangeOf(built.runs), fixed(s.sahCost, 3)};
     if (exact != nullptr) row.push_back(fixed(ratio(s.sahCost, exact->sahCost), 3));
     row.push_back(grouped(s.nodes));
     row.push_back(grouped(s.references));
@@ -65,7 +65,7 @@ std::string rayTable(const std::vector<BuilderFigures>& figures) {
         uint64_t checked = 0;
         uint64_t undecided = 0;
         for (const SetFigures& set : f.sets) {
-            row.push_back(set.rays > 0 ? fixed(set.ms, 2) : "-");
+            row.push_back(set.rays > 0 ? fixed(set.ms, 3) : "-");
             row.push_back(fixed(mraysPerSecond(set.rays, set.ms), 3));
             checked += set.check.rays;
             undecided += set.check.undecided;

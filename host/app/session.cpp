@@ -109,13 +109,13 @@ void requireAnswered(const Tracer::Result& traced, const CheckResult& check, con
 }
 
 std::string builtLine(const BuiltTree& built) {
-    return "build     " + fixed(built.ms, 2) + " ms (" + nameOf(built.builder) + "), SAH cost " +
+    return "build     " + fixed(built.ms, 3) + " ms (" + nameOf(built.builder) + "), SAH cost " +
            fixed(built.statistics.sahCost, 2) + ", " + grouped(built.statistics.nodes) + " nodes\n";
 }
 
 std::string tracedLine(uint64_t rays, const Tracer::Result& traced) {
     const std::string invalid = traced.invalidRays > 0 ? ", " + grouped(traced.invalidRays) + " invalid" : "";
-    return "trace     " + fixed(traced.ms, 2) + " ms, " + grouped(rays) + " rays" + invalid + ", " +
+    return "trace     " + fixed(traced.ms, 3) + " ms, " + grouped(rays) + " rays" + invalid + ", " +
            fixed(mraysPerSecond(rays, traced.ms), 2) + " Mrays/s\n";
 }
 

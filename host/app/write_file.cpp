@@ -98,11 +98,11 @@ bool isSpecial(const fs::path& file) {
 
 void requireWritable(const fs::path& file) {
     std::error_code ignored;
+    if (isSpecial(file)) return;
     const fs::path target = targetOf(file);
     const fs::path folder = folderOf(target);
     if (target.filename().empty() || fs::is_directory(target, ignored))
         throw Error("cannot write " + file.string() + ": it is a folder; name a file in it");
-    if (isSpecial(target)) return;
     if (!fs::is_directory(folder, ignored))
         throw Error("cannot write " + file.string() + ": there is no folder " + folder.string() + "; create it first");
     if (::access(folder.c_str(), W_OK | X_OK) != 0)
@@ -112,12 +112,12 @@ void requireWritable(const fs::path& file) {
 
 void writeFile(const fs::path& file, std::span<const std::byte> bytes) {
     requireWritable(file);
-    const fs::path target = targetOf(file);
-    if (isSpecial(target)) {
-        if (const int error = writeOpened(::open(target.c_str(), O_WRONLY | O_CLOEXEC), bytes); error != 0)
+    if (isSpecial(file)) {
+        if (const int error = writeOpened(::open(file.c_str(), O_WRONLY | O_CLOEXEC), bytes); error != 0)
             failToWrite(file, error);
         return;
     }
+    const fs::path target = targetOf(file);
     const std::string unfinished =
         (folderOf(target) / ("." + target.filename().string() + "." + std::to_string(getpid()) + ".tmp")).string();
     if (unfinished.size() >= PATH_MAX) failToWrite(file, ENAMETOOLONG);
