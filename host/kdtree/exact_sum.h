@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <glm/glm.hpp>
 
 namespace cleave {
 
@@ -46,5 +47,15 @@ class ExactSum {
     std::array<double, 80> terms_{};
     size_t size_ = 0;
 };
+
+// Adds sign * det(a, b, c) of vectors of floats: a product of two is exact in double, a product of three in two
+// doubles.
+inline void addDeterminant(ExactSum& sum, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, double sign) {
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        sum.addProduct(double{b[j]} * double{c[k]}, sign * double{a[i]});
+        sum.addProduct(double{b[k]} * double{c[j]}, -sign * double{a[i]});
+    }
+}
 
 }  // namespace cleave

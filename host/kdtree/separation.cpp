@@ -24,15 +24,6 @@ int crossSign(const vec3& a, const vec3& b, const vec3& p, const vec3& q, int i,
     return sum.sign();
 }
 
-// Adds sign * det(a, b, c), exactly: each product of two floats is exact in double.
-void addDeterminant(ExactSum& sum, const vec3& a, const vec3& b, const vec3& c, double sign) {
-    for (int i = 0; i < 3; ++i) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        sum.addProduct(double{b[j]} * double{c[k]}, sign * double{a[i]});
-        sum.addProduct(double{b[k]} * double{c[j]}, -sign * double{a[i]});
-    }
-}
-
 // Sign of the normal of the triangle times (p - a): det(p - a, b - a, c - a). The filter is that of ORIENT3D.
 int planeSign(const Triangle& t, const vec3& p) {
     const dvec3 u = dvec3(t.b) - dvec3(t.a), v = dvec3(t.c) - dvec3(t.a), w = dvec3(p) - dvec3(t.a);
