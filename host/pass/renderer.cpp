@@ -1,0 +1,106 @@
+#include "renderer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "device_arrays.h"
+#include "render_passes.h"
+
+namespace cleave {
+
+struct Renderer::Impl {
+    Impl(Context& c, Tracer& t) : context(c), tracer(t), passes(c) {}
+    Context& context;
+    Tracer& tracer;
+    RenderPasses passes;
+
+    template <class T>
+    Buffer uploaded(std::span<const T> items) {
+        Buffer b(context, items.size_bytes());
+        b.upload(items);
+        return b;
+    }
+};
+
+namespace {
+
+// The range that the scale of a view covers.
+void setScale(Picture& picture, View view) {
+    float low = INFINITY;
+    float high = 0.0f;
+    for (size_t i = 0; i < picture.primary.hits.size(); i++) {
+        const Hit& hit = picture.primary.hits[i];
+        if (view == View::steps) {
+            const StepCount& s = picture.primary.steps[i];
+            high = std::max(high, static_cast<float>(s.inner + s.leaves));
+        } else if (hit.prim != kNone) {
+            const float x = view == View::depth ? hit.t : static_cast<float>(picture.primary.steps[i].hitLeaf);
+            low = std::min(low, x);
+            high = std::max(high, x);
+        }
+    }
+    picture.scaleLow = view == View::depth && low < INFINITY ? low : 0.0f;  // counts begin at 0
+    picture.scaleHigh = high;
+}
+
+float diagonal(const DeviceTree& tree) {
+    const glm::dvec3 e = glm::dvec3(tree.bounds.hi) - glm::dvec3(tree.bounds.lo);
+    return static_cast<float>(std::ldexp(glm::length(e), tree.exponent));
+}
+
+}  // namespace
+
+Renderer::Renderer(Context& context, Tracer& tracer) : impl_(std::make_unique<Impl>(context, tracer)) {}
+Renderer::~Renderer() = default;
+
+Picture Renderer::render(const DeviceTree& tree, const Scene& scene, std::span<const Ray> rays, uint32_t width,
+                         uint32_t height, View view) {
+    Impl& d = *impl_;
+    Picture picture;
+    picture.width = width;
+    picture.height = height;
+    const bool counts = view == View::steps || view == View::leaves;
+    picture.primary = d.tracer.trace(tree, rays, Query::closest, counts);
+    picture.ms = picture.primary.ms;
+    if (counts || view == View::depth) setScale(picture, view);
+
+    std::vector<glm::vec4> colours;
+    for (const Material& m : scene.materials) colours.push_back(m.baseColour);
+    const Buffer rayBuffer = d.uploaded(rays);
+    const Buffer hits = d.uploaded(std::span<const Hit>(picture.primary.hits));
+    const Buffer steps = d.uploaded(std::span<const StepCount>(picture.primary.steps));
+    const Buffer shadowRays(d.context, rays.size_bytes());
+    Buffer shadowHits(d.context, rays.size() * sizeof(Hit));
+    const Buffer materialOf = d.uploaded(std::span<const uint32_t>(scene.materialOf));
+    const Buffer baseColours = d.uploaded(std::span<const glm::vec4>(colours));
+    const Buffer pixels(d.context, rays.size() * sizeof(uint32_t));
+    const ShadePush push{rayBuffer.address(),
+                         hits.address(),
+                         steps.address(),
+                         shadowRays.address(),
+                         shadowHits.address(),
+                         tree.triangles->triangles.address(),
+                         materialOf.address(),
+                         baseColours.address(),
+                         pixels.address(),
+                         1e-4f * diagonal(tree),
+                         picture.scaleLow,
+                         picture.scaleHigh,
+                         static_cast<uint32_t>(view),
+                         static_cast<uint32_t>(rays.size())};
+    if (view == View::shaded) {
+        Recorder recorder(d.context);
+        d.passes.shadowRays(recorder, push);
+        picture.ms += recorder.submit();
+        const Tracer::Result shadows = d.tracer.trace(tree, shadowRays.download<Ray>(rays.size()), Query::any);
+        picture.ms += shadows.ms;
+        shadowHits.upload(std::span<const Hit>(shadows.hits));
+    }
+    Recorder recorder(d.context);
+    d.passes.shade(recorder, push);
+    picture.ms += recorder.submit();
+    picture.pixels = pixels.download<uint32_t>(rays.size());
+    return picture;
+}
+
+}  // namespace cleave

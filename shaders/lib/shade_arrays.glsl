@@ -1,0 +1,1 @@
+CLEAVE_ARRAY(ColourArray, vec4);  // linear RGBA
