@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <stb_image.h>
+#include <stb/stb_image.h>
 
 #include <set>
 
