@@ -26,7 +26,7 @@ void ContextDeleter::operator()(Context* context) const { delete context; }
 ContextPointer openDevice(const std::string& nameOrIndex) { return ContextPointer(new Context(nameOrIndex)); }
 
 std::string deviceName(const Context& context) { return context.properties.deviceName; }
-uint64_t validationMessages(const Context& context) { return context.validation.messages; }
+uint64_t validationMessages(const Context& context) { return context.validation->messages; }
 double setupMilliseconds(const Context& context) { return context.setupMs; }
 
 namespace {
@@ -50,7 +50,7 @@ std::filesystem::path cacheFile(const VkPhysicalDeviceProperties& properties) {
 
 Context::Context(const std::string& nameOrIndex) {
     try {
-        instance = createInstance(&validation, &messenger_);
+        instance = createInstance(validation.get(), &messenger_);
         const std::vector<VkPhysicalDevice> devices = physicalDevices(instance);
         std::vector<DeviceInfo> infos;
         for (VkPhysicalDevice d : devices) infos.push_back(describe(d, static_cast<uint32_t>(infos.size())));

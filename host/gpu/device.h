@@ -45,7 +45,8 @@ class Context {
     // Workgroup size for kernels where one item is a small piece of work: a CPU device runs 8 lanes at once.
     uint32_t smallGroup() const { return properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? 8u : 32u; }
 
-    ValidationLog validation;
+    // Outlives the context where somebody wants to know what was said while it closed.
+    std::shared_ptr<ValidationLog> validation = std::make_shared<ValidationLog>();
 
   private:
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;

@@ -1,13 +1,6 @@
-// Arrays in device memory, by address. Included where shared/build.h has declared what they hold.
-#define CLEAVE_ARRAY(Name, Type)                                                                     \
-    layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Name { Type at[]; }
+// Included where shared/build.h has declared what these hold.
+#include "lib/arrays.glsl"
 
-CLEAVE_ARRAY(UintArray, uint);
-CLEAVE_ARRAY(Uvec2Array, uvec2);
-CLEAVE_ARRAY(Uvec4Array, uvec4);
-CLEAVE_ARRAY(TriangleArray, Triangle);
-CLEAVE_ARRAY(BoxArray, Box);
-CLEAVE_ARRAY(KdNodeArray, KdNode);
 CLEAVE_ARRAY(PrimRefArray, PrimRef);
 CLEAVE_ARRAY(BuildNodeArray, BuildNode);
 CLEAVE_ARRAY(ChunkArray, Chunk);

@@ -1,0 +1,106 @@
+#include "layout.h"
+
+#include <gtest/gtest.h>
+
+#include "gpu/recorder.h"
+#include "support/device.h"
+
+namespace cleave::test {
+
+TEST(Layout, HostFindsWhatTheShaderWrote) {
+    const Kernel kernel(device(), "layout", sizeof(uint64_t));
+    const Buffer buffer(device(), sizeof(LayoutRecord));
+    Recorder recorder(device());
+    recorder.fillZero(buffer);
+    recorder.dispatch(kernel, buffer.address(), 1);
+    recorder.submit();
+    const LayoutRecord r = buffer.download<LayoutRecord>(1)[0];
+    EXPECT_EQ(r.box.lo, glm::vec3(1, 2, 3));
+    EXPECT_EQ(r.box.hi, glm::vec3(4, 5, 6));
+    EXPECT_EQ(r.node.plane, 7u);
+    EXPECT_EQ(r.node.link, 8u);
+    EXPECT_EQ(r.split.cost, 9.0f);
+    EXPECT_EQ(r.split.axis, 10u);
+    EXPECT_EQ(r.split.position, 11.0f);
+    EXPECT_EQ(r.split.planarLeft, 12u);
+    EXPECT_EQ(r.ray.origin, glm::vec3(13, 14, 15));
+    EXPECT_EQ(r.ray.tMin, 16.0f);
+    EXPECT_EQ(r.ray.direction, glm::vec3(17, 18, 19));
+    EXPECT_EQ(r.ray.tMax, 20.0f);
+    EXPECT_EQ(r.hit.t, 21.0f);
+    EXPECT_EQ(r.hit.prim, 22u);
+    EXPECT_EQ(r.hit.u, 23.0f);
+    EXPECT_EQ(r.hit.v, 24.0f);
+    EXPECT_EQ(r.triangle.a, glm::vec3(25, 26, 27));
+    EXPECT_EQ(r.triangle.b, glm::vec3(28, 29, 30));
+    EXPECT_EQ(r.triangle.c, glm::vec3(31, 32, 33));
+    EXPECT_EQ(r.ref.lo, glm::vec3(34, 35, 36));
+    EXPECT_EQ(r.ref.prim, 37u);
+    EXPECT_EQ(r.ref.hi, glm::vec3(38, 39, 40));
+    EXPECT_EQ(r.ref.node, 41u);
+    EXPECT_EQ(r.buildNode.cell.lo, glm::vec3(42, 43, 44));
+    EXPECT_EQ(r.buildNode.cell.hi, glm::vec3(45, 46, 47));
+    EXPECT_EQ(r.buildNode.first, 48u);
+    EXPECT_EQ(r.buildNode.count, 49u);
+    EXPECT_EQ(r.buildNode.treeNode, 50u);
+    EXPECT_EQ(r.buildNode.chunk, 51u);
+    EXPECT_EQ(r.buildNode.split.cost, 52.0f);
+    EXPECT_EQ(r.buildNode.split.planarLeft, 53u);
+    EXPECT_EQ(r.chunk.node, 54u);
+    EXPECT_EQ(r.chunk.first, 55u);
+    EXPECT_EQ(r.chunk.count, 56u);
+    EXPECT_EQ(r.steps.inner, 57u);
+    EXPECT_EQ(r.steps.leaves, 58u);
+    EXPECT_EQ(r.steps.triangles, 59u);
+    EXPECT_EQ(r.steps.restarts, 60u);
+    EXPECT_EQ(r.steps.hitLeaf, 61u);
+    EXPECT_EQ(r.counters.invalidRays, 62u);
+    EXPECT_EQ(r.counters.cappedRays, 63u);
+    EXPECT_EQ(r.state.nodesUsed, 64u);
+    EXPECT_EQ(r.state.leafRefsUsed, 65u);
+    EXPECT_EQ(r.state.nodeBase, 66u);
+    EXPECT_EQ(r.state.leafBase, 67u);
+    EXPECT_EQ(r.state.levels, 68u);
+    EXPECT_EQ(r.state.finish, 69u);
+    EXPECT_EQ(r.state.neededRefs, 70u);
+    EXPECT_EQ(r.state.neededLevelNodes, 71u);
+    EXPECT_EQ(r.state.neededNodes, 72u);
+    EXPECT_EQ(r.state.neededLeafRefs, 73u);
+    EXPECT_EQ(r.state.refTotals, glm::uvec4(74, 75, 76, 77));
+    EXPECT_EQ(r.state.nodeTotals, glm::uvec4(78, 79, 80, 81));
+    EXPECT_EQ(r.state.level[0].refCount, 82u);
+    EXPECT_EQ(r.state.level[0].nodeCount, 83u);
+    EXPECT_EQ(r.state.level[0].chunkCount, 84u);
+    EXPECT_EQ(r.state.level[0].smallCount, 85u);
+    EXPECT_EQ(r.state.level[1].refCount, 86u);
+    EXPECT_EQ(r.state.level[1].nodeCount, 87u);
+    EXPECT_EQ(r.state.level[1].chunkCount, 88u);
+    EXPECT_EQ(r.state.level[1].smallCount, 89u);
+    EXPECT_EQ(r.state.level[kMaxDepth + 1].refCount, 90u);
+    EXPECT_EQ(r.state.level[kMaxDepth + 1].nodeCount, 91u);
+    EXPECT_EQ(r.state.level[kMaxDepth + 1].chunkCount, 92u);
+    EXPECT_EQ(r.state.level[kMaxDepth + 1].smallCount, 93u);
+    EXPECT_EQ(r.state.level[1].perChunk.x, 94u);
+    EXPECT_EQ(r.state.level[1].perChunk.y, 95u);
+    EXPECT_EQ(r.state.level[1].perChunk.z, 96u);
+    EXPECT_EQ(r.state.level[1].perChunkGroup.x, 97u);
+    EXPECT_EQ(r.state.level[1].perChunkGroup.y, 98u);
+    EXPECT_EQ(r.state.level[1].perChunkGroup.z, 99u);
+    EXPECT_EQ(r.state.level[1].perSmall.x, 100u);
+    EXPECT_EQ(r.state.level[1].perSmall.y, 101u);
+    EXPECT_EQ(r.state.level[1].perSmall.z, 102u);
+    EXPECT_EQ(r.state.level[1].perRefBlock.x, 103u);
+    EXPECT_EQ(r.state.level[1].perRefBlock.y, 104u);
+    EXPECT_EQ(r.state.level[1].perRefBlock.z, 105u);
+    EXPECT_EQ(r.state.level[1].perRefGroup.x, 106u);
+    EXPECT_EQ(r.state.level[1].perRefGroup.y, 107u);
+    EXPECT_EQ(r.state.level[1].perRefGroup.z, 108u);
+    EXPECT_EQ(r.state.level[1].perNodeBlock.x, 109u);
+    EXPECT_EQ(r.state.level[1].perNodeBlock.y, 110u);
+    EXPECT_EQ(r.state.level[1].perNodeBlock.z, 111u);
+    EXPECT_EQ(r.state.level[1].once.x, 112u);
+    EXPECT_EQ(r.state.level[1].once.y, 113u);
+    EXPECT_EQ(r.state.level[1].once.z, 114u);
+}
+
+}  // namespace cleave::test
