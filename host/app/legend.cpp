@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "shared/shade.h"
+
 namespace cleave {
 namespace {
 
@@ -76,8 +78,8 @@ void drawLegend(Picture& picture) {
     panel.number(kMargin, kMargin, low);
     panel.number(kMargin + kBarWidth - highWidth, kMargin, high);
     for (uint32_t x = 0; x < kBarWidth; ++x) {
-        const uint32_t grey = 255u * x / (kBarWidth - 1);
-        panel.fill(kMargin + x, kMargin + kDigitHeight + kGap, 1, kBarHeight, grey * 0x010101u | kBlack);
+        const float along = static_cast<float>(x) / static_cast<float>(kBarWidth - 1);
+        panel.fill(kMargin + x, kMargin + kDigitHeight + kGap, 1, kBarHeight, packedColour(scaleColour(along)));
     }
 }
 

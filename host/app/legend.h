@@ -5,8 +5,8 @@
 
 namespace cleave {
 
-// Draws the greys from black, picture.scaleLow, to white, picture.scaleHigh, with these numbers into the lower left
-// corner. A picture too small to hold it stays as it is.
+// Draws the colours of shared/shade.h, scaleColour, from picture.scaleLow to picture.scaleHigh, with these numbers into
+// the lower left corner. A picture too small to hold it stays as it is.
 void drawLegend(Picture& picture);
 
 }  // namespace cleave

@@ -6,6 +6,7 @@
 #include "app/legend.h"
 #include "app/png.h"
 #include "error.h"
+#include "shared/shade.h"
 
 namespace cleave::test {
 namespace {
@@ -71,6 +72,13 @@ TEST(Legend, StaysInItsCorner) {
             changed += picture.pixels[y * 200 + x] != 0xFF808080u;
         }
     EXPECT_GT(changed, 2000u);
+}
+
+TEST(Legend, ShowsTheColoursOfTheScale) {
+    const std::vector<uint32_t> pixels = legendOf(9.0f);
+    const size_t row = 100 - 23 + 3 + 7 + 2;
+    EXPECT_EQ(pixels[row * 200 + 3], packedColour(scaleColour(0.0f)));
+    EXPECT_EQ(pixels[row * 200 + 3 + 95], packedColour(scaleColour(1.0f)));
 }
 
 TEST(Legend, LeavesASmallPictureAlone) {
