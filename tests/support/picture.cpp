@@ -22,7 +22,9 @@ Buffer uploaded(const std::vector<T>& items) {
 
 }  // namespace
 
-PictureInput::PictureInput(uint32_t pixels, uint32_t seed) : triangles_(mixedTriangles(100, seed)) {
+PictureInput::PictureInput(uint32_t pixels, uint32_t seed) {
+    const TriangleSet set = mixedSet(100, seed);  // hits are on triangles with an area only
+    triangles_ = set.triangles;
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> unit(0.0f, 1.0f);
     auto below = [&](uint32_t n) { return static_cast<uint32_t>(random() % n); };
@@ -32,7 +34,9 @@ PictureInput::PictureInput(uint32_t pixels, uint32_t seed) : triangles_(mixedTri
         Ray r{{unit(random), unit(random), unit(random)}, 0.0f, {unit(random) - 0.5f, unit(random) - 0.5f, 0.7f}, 9.0f};
         rays_.push_back(r);
         const bool found = unit(random) < 0.8f;
-        hits_.push_back(found ? Hit{unit(random) * 50.0f, below(100), 0.1f, 0.2f} : missedHit());
+        hits_.push_back(found ? Hit{unit(random) * 50.0f,
+                                    set.included[below(static_cast<uint32_t>(set.included.size()))], 0.1f, 0.2f}
+                              : missedHit());
         shadowHits_.push_back(unit(random) < 0.5f ? hits_.back() : missedHit());
         steps_.push_back({below(60), below(10), below(30), below(5), below(20)});
     }
