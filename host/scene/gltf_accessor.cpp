@@ -78,6 +78,16 @@ double positionComponent(const unsigned char* bytes, size_t axis, int type, bool
     }
 }
 
+// The same index, if the accessor's type is one of a position's.
+int checkedPositions(const tinygltf::Model& model, int index) {
+    const tinygltf::Accessor& accessor = model.accessors[size_t(index)];
+    if (accessor.type != TINYGLTF_TYPE_VEC3) refuseGltf(nameOf(index) + " must be of type VEC3");
+    if (accessor.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT &&
+        accessor.componentType > TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT)
+        refuseGltf(nameOf(index) + " holds positions, and they are neither floats nor integers of 8 or 16 bits");
+    return index;
+}
+
 }  // namespace
 
 bool hasBytes(const tinygltf::Model& model, int index) {
@@ -121,13 +131,9 @@ const unsigned char* AccessorElements::operator[](size_t i) const {
 }
 
 Positions::Positions(const tinygltf::Model& model, int index)
-    : elements_(model, index),
+    : elements_(model, checkedPositions(model, index)),
       componentType_(model.accessors[size_t(index)].componentType),
-      normalized_(model.accessors[size_t(index)].normalized) {
-    if (model.accessors[size_t(index)].type != TINYGLTF_TYPE_VEC3) refuseGltf(nameOf(index) + " must be of type VEC3");
-    if (componentType_ != TINYGLTF_COMPONENT_TYPE_FLOAT && componentType_ > TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT)
-        refuseGltf(nameOf(index) + " holds positions, and they are neither floats nor integers of 8 or 16 bits");
-}
+      normalized_(model.accessors[size_t(index)].normalized) {}
 
 glm::dvec3 Positions::operator[](size_t i) const {
     const unsigned char* bytes = elements_[i];
