@@ -30,7 +30,7 @@ class SweepChooser {
         starts_.clear();
         ends_.clear();
         planars_.clear();
-        for (const PrimRef& ref : node.refs) {
+        for (const ClippedRef& ref : node.refs) {
             const float lo = ref.box.lo[axis], hi = ref.box.hi[axis];
             if (lo == hi) {
                 planars_.push_back(orderedBits(lo));
@@ -59,7 +59,7 @@ class SweepChooser {
             const uint32_t ending = take(ends_, end, key);
             const uint32_t lying = take(planars_, planar, key);
             right -= ending + lying;
-            best = betterOf(best, node.cell, axis, fromOrderedBits(key), left, right, lying);
+            best = betterOfBothSides(best, node.cell, axis, fromOrderedBits(key), left, right, lying);
             left += take(starts_, start, key) + lying;
         }
         return best;

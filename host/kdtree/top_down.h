@@ -12,14 +12,14 @@
 namespace cleave {
 
 // A reference: a triangle, and the box of its part in the node's cell.
-struct PrimRef {
+struct ClippedRef {
     Box box;
     uint32_t prim;
 };
 
 // What a chooser is asked about.
 struct NodeToSplit {
-    std::span<const PrimRef> refs;
+    std::span<const ClippedRef> refs;
     Box cell;
     uint32_t depth;
 };
@@ -75,7 +75,7 @@ class TopDownBuilder {
     void addChild(const Split& split, const Box& cell, uint32_t side, size_t begin, size_t end) {
         const int axis = static_cast<int>(split.axis);
         for (size_t i = begin; i < end; ++i) {
-            PrimRef ref = refs_[i];
+            ClippedRef ref = refs_[i];
             const uint32_t sides = sideOf(ref.box.lo[axis], ref.box.hi[axis], split.position, split.planarLeft);
             if ((sides & side) == 0) continue;
             if (sides == (kLeft | kRight)) {
@@ -100,7 +100,7 @@ class TopDownBuilder {
     const uint32_t maxDepth_;
     ChooseSplit chooseSplit_;
     KdTree tree_;
-    std::vector<PrimRef> refs_;
+    std::vector<ClippedRef> refs_;
 };
 
 }  // namespace cleave

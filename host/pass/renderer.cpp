@@ -24,23 +24,35 @@ struct Renderer::Impl {
 
 namespace {
 
-// The range that the scale of a view covers.
-void setScale(Picture& picture, View view) {
-    float low = INFINITY;
-    float high = 0.0f;
-    for (size_t i = 0; i < picture.primary.hits.size(); i++) {
-        const Hit& hit = picture.primary.hits[i];
-        if (view == View::steps) {
-            const StepCount& s = picture.primary.steps[i];
-            high = std::max(high, static_cast<float>(s.inner + s.leaves));
-        } else if (hit.prim != kNone) {
-            const float x = view == View::depth ? hit.t : static_cast<float>(picture.primary.steps[i].hitLeaf);
-            low = std::min(low, x);
-            high = std::max(high, x);
-        }
+// Rounded outward to a hundredth of its decade, so that pictures of nearly the same thing have the same scale.
+void setDepthScale(Picture& picture) {
+    double low = INFINITY;
+    double high = 0.0;
+    for (const Hit& hit : picture.primary.hits) {
+        if (hit.prim == kNone) continue;
+        low = std::min(low, static_cast<double>(hit.t));
+        high = std::max(high, static_cast<double>(hit.t));
     }
-    picture.scaleLow = view == View::depth && low < INFINITY ? low : 0.0f;  // counts begin at 0
-    picture.scaleHigh = high;
+    if (!(low < high)) low = high;  // nothing was hit, or everything at one distance
+    const double step = low < high ? std::pow(10.0, std::floor(std::log10(high - low)) - 1.0) : 0.0;
+    picture.scaleLow = static_cast<float>(step > 0.0 ? std::floor(low / step) * step : low);
+    picture.scaleHigh = static_cast<float>(step > 0.0 ? std::ceil(high / step) * step : high);
+}
+
+// From 0 to what all but 1 in 200 pixels stay below: a few rays along a wall would leave the rest in the dark.
+void setCountScale(Picture& picture, View view) {
+    std::vector<uint32_t> counts;
+    for (size_t i = 0; i < picture.primary.steps.size(); i++) {
+        const StepCount& s = picture.primary.steps[i];
+        if (view == View::steps)
+            counts.push_back(s.inner + s.leaves);
+        else if (picture.primary.hits[i].prim != kNone)
+            counts.push_back(s.hitLeaf);
+    }
+    if (counts.empty()) return;
+    const auto nth = counts.begin() + static_cast<std::ptrdiff_t>((counts.size() - 1) * 199 / 200);
+    std::nth_element(counts.begin(), nth, counts.end());
+    picture.scaleHigh = static_cast<float>(*nth);
 }
 
 float diagonal(const DeviceTree& tree) {
@@ -62,7 +74,8 @@ Picture Renderer::render(const DeviceTree& tree, const Scene& scene, std::span<c
     const bool counts = view == View::steps || view == View::leaves;
     picture.primary = d.tracer.trace(tree, rays, Query::closest, counts);
     picture.ms = picture.primary.ms;
-    if (counts || view == View::depth) setScale(picture, view);
+    if (counts) setCountScale(picture, view);
+    if (view == View::depth) setDepthScale(picture);
 
     std::vector<glm::vec4> colours;
     for (const Material& m : scene.materials) colours.push_back(m.baseColour);

@@ -20,7 +20,7 @@ struct Picture {
     std::vector<uint32_t> pixels;  // R | G << 8 | B << 16 | A << 24, sRGB, row by row from the top
     Tracer::Result primary;        // hits of the primary rays, pixel by pixel
     double ms = 0.0;               // device time of all passes
-    float scaleLow = 0.0f;         // what black (or far) and white (or near) stand for in depth, steps and leaves
+    float scaleLow = 0.0f;  // the ends of the scale of depth, steps and leaves; what lies beyond looks like the end
     float scaleHigh = 0.0f;
 };
 
