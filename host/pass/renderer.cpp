@@ -24,19 +24,34 @@ struct Renderer::Impl {
 
 namespace {
 
-// Rounded outward to a hundredth of its decade, so that pictures of nearly the same thing have the same scale.
-void setDepthScale(Picture& picture) {
+// Where a ray that enters a box leaves it.
+double exitOf(const Ray& ray, const glm::dvec3& lo, const glm::dvec3& hi) {
+    double exit = INFINITY;
+    for (int k = 0; k < 3; k++) {
+        if (ray.direction[k] == 0.0f) continue;
+        const double wall = ray.direction[k] > 0.0f ? hi[k] : lo[k];
+        exit = std::min(exit, (wall - double(ray.origin[k])) / double(ray.direction[k]));
+    }
+    return exit;
+}
+
+// From the nearest hit to where the scene's box ends behind the hits. The farthest hit would not do: it lies where a
+// surface turns away, and the whole scale would hang on one pixel there.
+void setDepthScale(Picture& picture, const DeviceTree& tree, std::span<const Ray> rays) {
+    const double unit = std::ldexp(1.0, tree.exponent);
+    const glm::dvec3 lo = glm::dvec3(tree.bounds.lo) * unit;
+    const glm::dvec3 hi = glm::dvec3(tree.bounds.hi) * unit;
     double low = INFINITY;
     double high = 0.0;
-    for (const Hit& hit : picture.primary.hits) {
+    for (size_t i = 0; i < rays.size(); i++) {
+        const Hit& hit = picture.primary.hits[i];
         if (hit.prim == kNone) continue;
         low = std::min(low, static_cast<double>(hit.t));
-        high = std::max(high, static_cast<double>(hit.t));
+        high = std::max(high, std::max(static_cast<double>(hit.t), exitOf(rays[i], lo, hi)));
     }
-    if (!(low < high)) low = high;  // nothing was hit, or everything at one distance
-    const double step = low < high ? std::pow(10.0, std::floor(std::log10(high - low)) - 1.0) : 0.0;
-    picture.scaleLow = static_cast<float>(step > 0.0 ? std::floor(low / step) * step : low);
-    picture.scaleHigh = static_cast<float>(step > 0.0 ? std::ceil(high / step) * step : high);
+    if (!(low < high)) return;  // nothing was hit
+    picture.scaleLow = static_cast<float>(low);
+    picture.scaleHigh = static_cast<float>(high);
 }
 
 // From 0 to what all but 1 in 200 pixels stay below: a few rays along a wall would leave the rest in the dark.
@@ -75,7 +90,7 @@ Picture Renderer::render(const DeviceTree& tree, const Scene& scene, std::span<c
     picture.primary = d.tracer.trace(tree, rays, Query::closest, counts);
     picture.ms = picture.primary.ms;
     if (counts) setCountScale(picture, view);
-    if (view == View::depth) setDepthScale(picture);
+    if (view == View::depth) setDepthScale(picture, tree, rays);
 
     std::vector<glm::vec4> colours;
     for (const Material& m : scene.materials) colours.push_back(m.baseColour);
