@@ -3,7 +3,6 @@
 #include <bit>
 #include <cstring>
 #include <fstream>
-#include <limits>
 #include <span>
 
 #include "error.h"
@@ -27,14 +26,26 @@ uint32_t word(Bytes bytes, size_t at) {
     return value;
 }
 
+// Counted before parsing: nlohmann's parser can be asked to, but then takes quadratic time for long arrays.
+void checkDepth(Bytes text) {
+    int depth = 0;
+    bool inString = false;
+    for (size_t i = 0; i < text.size(); ++i) {
+        const unsigned char c = text[i];
+        if (inString && c == '\\') ++i;  // whatever is escaped does not end the string
+        if (c == '"') inString = !inString;
+        if (inString) continue;
+        if (c == '[' || c == '{') ++depth;
+        if (c == ']' || c == '}') --depth;
+        if (depth > kMaxJsonDepth) refuseGltf("its JSON text is nested deeper than " + std::to_string(kMaxJsonDepth));
+    }
+}
+
 nlohmann::json parseJson(Bytes text) {
     if (text.size() > kMaxJsonBytes) refuseGltf("its JSON text is larger than 1 GiB");
-    auto limitDepth = [](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
-        if (depth > kMaxJsonDepth) refuseGltf("its JSON text is nested deeper than " + std::to_string(kMaxJsonDepth));
-        return true;
-    };
+    checkDepth(text);
     try {
-        nlohmann::json document = nlohmann::json::parse(text.begin(), text.end(), limitDepth);
+        nlohmann::json document = nlohmann::json::parse(text.begin(), text.end());
         if (!document.is_object()) refuseGltf("its JSON text is not an object");
         return document;
     } catch (const nlohmann::json::exception& e) {
