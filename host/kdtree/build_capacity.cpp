@@ -15,7 +15,8 @@ uint32_t clampRefs(uint64_t n) { return static_cast<uint32_t>(std::min(n, kMostR
 // Bytes per unit of each capacity, following BuildArgs.
 constexpr uint64_t kBytesPerRef = 2 * sizeof(PrimRef) + 2 * sizeof(Box) + 2 * sizeof(uint32_t) + sizeof(glm::uvec2);
 constexpr uint64_t kBytesPerLevelNode = 2 * sizeof(BuildNode);
-constexpr uint64_t kBytesPerChunk = sizeof(Chunk) + (kBoundsWords + kBinWords) * sizeof(uint32_t);
+constexpr uint64_t kBytesPerChunk =
+    sizeof(Chunk) + sizeof(NearestFaces) + (kBoundsWords + kBinWords) * sizeof(uint32_t);
 
 }  // namespace
 

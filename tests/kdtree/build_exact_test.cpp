@@ -4,6 +4,7 @@
 
 #include "kdtree/builders.h"
 #include "kdtree/clip_box.h"
+#include "kdtree/separation.h"
 #include "kdtree/statistics.h"
 #include "kdtree/support_scenes.h"
 #include "kdtree/validate.h"
@@ -94,6 +95,18 @@ TEST(ClipBox, WorkedByHand) {
     EXPECT_TRUE(isEmpty(clippedBox(t, {{0.6f, 0.6f, -1}, {1, 1, 1}})));
     EXPECT_FALSE(isEmpty(clippedBox(t, {{0.5f, 0.5f, -1}, {1, 1, 1}}))) << "it touches the cell's corner";
     EXPECT_TRUE(isEmpty(clippedBox(t, {{0, 0, 1}, {1, 1, 2}})));
+}
+
+// Of Sponza: seen from x = 0.5, the part behind z = c.z is thinner than a place of double, and still not flat.
+TEST(ClipBox, KeepsSliversThatAreThinnerThanAPlaceOfDouble) {
+    const Triangle t{{0.506788731f, 0.217290968f, 0.0290699378f},
+                     {0.506788731f, 0.150728464f, 0.0290699694f},
+                     {0.506813765f, 0.150728494f, 0.070840314f}};
+    const Box cell{{0.506163776f, 0.150728464f, 0.0287965313f}, {0.506813765f, 0.150728479f, 0.0290699694f}};
+    Box beyond = cell;
+    beyond.lo.x = t.a.x;
+    EXPECT_TRUE(meets(t, beyond, Contact::interior));
+    EXPECT_GT(clippedBox(t, cell).hi.x, t.a.x);
 }
 
 // Random barycentric points that lie in the cell must lie in the box, even those far from the origin.

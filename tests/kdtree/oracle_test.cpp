@@ -188,7 +188,7 @@ TEST_F(Judge, CheckCountsAndDescribes) {
     EXPECT_THROW(check(reference, rays, hits, Query::closest, 10), Error);
 }
 
-// A ray through a vertex hits, one that passes an edge by 2^-40 of it misses: double's filter decides neither.
+// A ray through a vertex or an edge hits, one that passes it by next to nothing misses: double cannot tell them apart.
 TEST(ReferenceTriangle, DecidesEdgesExactly) {
     const Triangle t{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     const float far = 1048576.0f;
@@ -198,6 +198,11 @@ TEST(ReferenceTriangle, DecidesEdgesExactly) {
     EXPECT_TRUE(hits({0, 0, 0}, {1, 2, far}));
     EXPECT_TRUE(hits({0.5f, 0.5f, 0}, {-3, 7, far}));
     EXPECT_FALSE(hits({0.5f, 0, 0}, {1, 0, 0})) << "in the plane";
+    const Triangle u{{-1, -1, 0}, {1, 1, 0}, {1, -1, 0}};  // its edge is x = y; the rays pass it by 2^-103
+    const auto hitsAt = [&](float y) { return intersectLine({{0x1p-80f, y, 1}, 0.0f, {0, 0, -1}, 2.0f}, u).hits; };
+    EXPECT_TRUE(hitsAt(0x1.fffffep-81f));
+    EXPECT_TRUE(hitsAt(0x1p-80f));
+    EXPECT_FALSE(hitsAt(0x1.000002p-80f));
     const auto missesBy = [&](float y) { return !intersectLine({{0.25f, y, 1}, 0.0f, {0, 0, -1}, 2.0f}, t).hits; };
     EXPECT_TRUE(missesBy(-0x1p-149f));
     EXPECT_FALSE(missesBy(0.0f));

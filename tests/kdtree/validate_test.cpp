@@ -179,6 +179,14 @@ TEST_F(Sheet, MayBeSharedBetweenSidesWithoutAGap) {
     build(1, 1, 0, 0);
     EXPECT_TRUE(isSound());
 }
+// Both sides are cut at y = 0.5; each lists the sheet in another half. No pair of leaves overlaps in the cut itself.
+TEST_F(Sheet, MayChangeSidesAtACut) {
+    tree.nodes = {innerNode(0, 0.5f, 1), innerNode(1, 0.5f, 3), innerNode(1, 0.5f, 5), leafNode(0, 1),
+                  leafNode(1, 0),        leafNode(1, 0),        leafNode(1, 1)};
+    EXPECT_TRUE(isSound());
+    tree.nodes[6] = leafNode(1, 0);
+    EXPECT_FALSE(isSound());
+}
 TEST_F(Sheet, OnTheBoundsOrInsideACellMustBeListed) {
     for (const float x : {0.0f, 0.5f, 1.0f})
         for (const bool listed : {false, true}) {
@@ -196,6 +204,15 @@ TEST_F(Sheet, OfAFlatSceneMustBeListedWhereItIs) {
     EXPECT_TRUE(isSound());
 }
 
+// The corner is 2^-103 off the edge's line x = y, while the edge is 2 long: only the exact sum can tell the side.
+TEST(Separation, DecidesWhatDoubleCannot) {
+    const Triangle t{{-1, -1, 0}, {1, 1, 0}, {1, -1, 1}};
+    const float x = 0x1p-80f, above = 0x1.000002p-80f, below = 0x1.fffffep-81f;
+    EXPECT_TRUE(meets(t, {{-1, below, -1}, {x, 1, 2}}, Contact::interior));
+    EXPECT_FALSE(meets(t, {{-1, x, -1}, {x, 1, 2}}, Contact::interior));
+    EXPECT_TRUE(meets(t, {{-1, x, -1}, {x, 1, 2}}, Contact::closed));
+    EXPECT_FALSE(meets(t, {{-1, above, -1}, {x, 1, 2}}, Contact::closed));
+}
 TEST(Separation, TouchingIsNoContactWithTheInterior) {
     const Triangle corner{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  // x + y + z = 1
     const float below = std::nextafter(0.5f, 0.0f);
