@@ -13,6 +13,7 @@ BuildBuffers::BuildBuffers(Context& context, const BuildCapacity& room, uint32_t
     chunks = Buffer(context, chunkCount * sizeof(Chunk));
     bounds = Buffer(context, chunkCount * kBoundsWords * words);
     bins = Buffer(context, chunkCount * kBinWords * words);
+    nearest = Buffer(context, chunkCount * sizeof(NearestFaces));
     smallNodes = Buffer(context, room.refs * words);
     sides = Buffer(context, room.refs * words);
     clipped = Buffer(context, room.refs * 2 * sizeof(Box));
@@ -36,6 +37,7 @@ void BuildBuffers::bind(const DeviceTriangles& triangles, const BuildSettings& s
     a.chunks = chunks.address();
     a.bounds = bounds.address();
     a.bins = bins.address();
+    a.nearest = nearest.address();
     a.smallNodes = smallNodes.address();
     a.sides = sides.address();
     a.clipped = clipped.address();
@@ -61,8 +63,8 @@ void BuildBuffers::bind(const DeviceTriangles& triangles, const BuildSettings& s
 
 uint64_t BuildBuffers::bytes() const {
     uint64_t sum = 0;
-    for (const Buffer* b : {&refs[0], &refs[1], &nodes[0], &nodes[1], &chunks, &bounds, &bins, &smallNodes, &sides,
-                            &clipped, &offsets, &blockSums, &nodeSums, &tree, &leafRefs, &state, &args})
+    for (const Buffer* b : {&refs[0], &refs[1], &nodes[0], &nodes[1], &chunks, &bounds, &bins, &nearest, &smallNodes,
+                            &sides, &clipped, &offsets, &blockSums, &nodeSums, &tree, &leafRefs, &state, &args})
         sum += b->size();
     return sum;
 }

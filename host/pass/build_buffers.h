@@ -10,8 +10,8 @@ namespace cleave {
 struct BuildBuffers {
     BuildCapacity capacity;
     uint32_t exactBelow = 0;
-    Buffer refs[2], nodes[2], chunks, bounds, bins, smallNodes, sides, clipped, offsets, blockSums, nodeSums, tree,
-        leafRefs, state, args;
+    Buffer refs[2], nodes[2], chunks, bounds, bins, nearest, smallNodes, sides, clipped, offsets, blockSums, nodeSums,
+        tree, leafRefs, state, args;
 
     BuildBuffers() = default;
     BuildBuffers(Context& context, const BuildCapacity& capacity, uint32_t exactBelow);

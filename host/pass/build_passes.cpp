@@ -22,6 +22,8 @@ BuildPasses::BuildPasses(Context& c)
       bounds_(c, "bounds", sizeof(BuildPush)),
       bin_(c, "bin", sizeof(BuildPush)),
       chooseSplit_(c, "choose_split", sizeof(BuildPush)),
+      nearest_(c, "nearest", sizeof(BuildPush)),
+      snap_(c, "snap", sizeof(BuildPush)),
       exactSplit_(c, "exact_split", sizeof(BuildPush), {c.smallGroup()}),
       classify_(c, "classify", sizeof(BuildPush)),
       scan_(c, "scan", sizeof(BuildPush)),
@@ -43,6 +45,12 @@ void BuildPasses::bin(Recorder& r, const BuildBuffers& b, uint32_t d) const {
 }
 void BuildPasses::chooseSplit(Recorder& r, const BuildBuffers& b, uint32_t d) const {
     r.dispatchIndirect(chooseSplit_, push(b, d), b.state, sizeOffset(d, offsetof(Level, perChunkGroup)));
+}
+void BuildPasses::nearest(Recorder& r, const BuildBuffers& b, uint32_t d) const {
+    r.dispatchIndirect(nearest_, push(b, d), b.state, sizeOffset(d, offsetof(Level, perChunk)));
+}
+void BuildPasses::snap(Recorder& r, const BuildBuffers& b, uint32_t d) const {
+    r.dispatchIndirect(snap_, push(b, d), b.state, sizeOffset(d, offsetof(Level, perChunkGroup)));
 }
 void BuildPasses::exactSplit(Recorder& r, const BuildBuffers& b, uint32_t d) const {
     r.dispatchIndirect(exactSplit_, push(b, d), b.state, sizeOffset(d, offsetof(Level, perSmall)));
@@ -73,6 +81,8 @@ void BuildPasses::level(Recorder& r, const BuildBuffers& b, uint32_t d) const {
     bounds(r, b, d);
     bin(r, b, d);
     chooseSplit(r, b, d);
+    nearest(r, b, d);
+    snap(r, b, d);
     exactSplit(r, b, d);
     classify(r, b, d);
     scan(r, b, d, false);

@@ -17,6 +17,8 @@ class BuildPasses {
     void bounds(Recorder& r, const BuildBuffers& b, uint32_t depth) const;
     void bin(Recorder& r, const BuildBuffers& b, uint32_t depth) const;
     void chooseSplit(Recorder& r, const BuildBuffers& b, uint32_t depth) const;
+    void nearest(Recorder& r, const BuildBuffers& b, uint32_t depth) const;
+    void snap(Recorder& r, const BuildBuffers& b, uint32_t depth) const;
     void exactSplit(Recorder& r, const BuildBuffers& b, uint32_t depth) const;
     void classify(Recorder& r, const BuildBuffers& b, uint32_t depth) const;
     void scan(Recorder& r, const BuildBuffers& b, uint32_t depth, bool scanNodes) const;
@@ -30,8 +32,8 @@ class BuildPasses {
     void level(Recorder& r, const BuildBuffers& b, uint32_t depth) const;
 
   private:
-    Kernel makeRefs_, begin_, bounds_, bin_, chooseSplit_, exactSplit_, classify_, scan_, offsets_, countChildren_,
-        nextLevel_, emitNodes_, partition_;
+    Kernel makeRefs_, begin_, bounds_, bin_, chooseSplit_, nearest_, snap_, exactSplit_, classify_, scan_, offsets_,
+        countChildren_, nextLevel_, emitNodes_, partition_;
 };
 
 }  // namespace cleave

@@ -16,6 +16,7 @@ BuildArrays makeArrays(const TriangleSet& set, const BuildSettings& settings, co
     a.chunks.resize(chunks);
     a.bounds.resize(size_t(chunks) * kBoundsWords);
     a.bins.resize(size_t(chunks) * kBinWords);
+    a.nearest.resize(chunks);
     a.smallNodes.resize(capacity.refs);
     a.sides.resize(capacity.refs);
     a.clipped.resize(size_t(capacity.refs) * 2);

@@ -23,6 +23,7 @@ struct BuildArrays {
     std::vector<Chunk> chunks;
     std::vector<uint32_t> bounds;
     std::vector<uint32_t> bins;
+    std::vector<NearestFaces> nearest;
     std::vector<uint32_t> smallNodes;
     std::vector<uint32_t> sides;
     std::vector<Box> clipped;

@@ -30,8 +30,8 @@ void chooseSplit(BuildArrays& a, uint32_t depth) {
     for (uint32_t c = 0; c < a.state.level[depth].chunkCount; c++) {
         BuildNode& node = a.nodes[depth % 2][a.chunks[c].node];
         if (node.chunk != c) continue;
-        const Split best = bestBoundary(a, node);
-        if (isWorthwhile(best, node.cell, node.count, depth, a.maxDepth)) node.split = best;
+        node.split = bestBoundary(a, node);
+        a.nearest[c] = noFaces();
     }
 }
 

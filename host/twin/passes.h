@@ -12,6 +12,8 @@ void begin(BuildArrays& a);     // once
 void bounds(BuildArrays& a, uint32_t depth);
 void bin(BuildArrays& a, uint32_t depth);
 void chooseSplit(BuildArrays& a, uint32_t depth);
+void nearest(BuildArrays& a, uint32_t depth);
+void snap(BuildArrays& a, uint32_t depth);
 void exactSplit(BuildArrays& a, uint32_t depth);
 void classify(BuildArrays& a, uint32_t depth);
 void scan(BuildArrays& a, uint32_t depth, bool scanNodes);

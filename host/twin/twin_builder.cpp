@@ -10,6 +10,8 @@ void buildLevel(BuildArrays& a, uint32_t depth) {
     twin::bounds(a, depth);
     twin::bin(a, depth);
     twin::chooseSplit(a, depth);
+    twin::nearest(a, depth);
+    twin::snap(a, depth);
     twin::exactSplit(a, depth);
     twin::classify(a, depth);
     twin::scan(a, depth, false);

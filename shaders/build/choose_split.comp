@@ -1,5 +1,6 @@
 #version 460
-// The best of a large node's bin boundaries by SAH. An invocation per chunk; the first chunk of a node acts.
+// The best of a large node's bin boundaries by SAH, for `nearest` and `snap` to improve. An invocation per chunk; the
+// first chunk of a node acts.
 #extension GL_GOOGLE_include_directive : require
 #include "lib/build.glsl"
 layout(local_size_x = kGroup) in;
@@ -27,5 +28,6 @@ void main() {
             best = betterOf(best, node.cell, axis, binPlane(range, b), left, right, 1u);
         }
     }
-    if (isWorthwhile(best, node.cell, node.count, push.depth, args.maxDepth)) nodes.at[n].split = best;
+    nodes.at[n].split = best;
+    args.nearest.at[c] = noFaces();
 }

@@ -23,6 +23,8 @@ const Pass kPasses[] = {
     {"bounds", &BuildPasses::bounds, twin::bounds},
     {"bin", &BuildPasses::bin, twin::bin},
     {"choose_split", &BuildPasses::chooseSplit, twin::chooseSplit},
+    {"nearest", &BuildPasses::nearest, twin::nearest},
+    {"snap", &BuildPasses::snap, twin::snap},
     {"exact_split", &BuildPasses::exactSplit, twin::exactSplit},
     {"classify", &BuildPasses::classify, twin::classify},
     {"scan", nullptr, [](BuildArrays& a, uint32_t depth) { twin::scan(a, depth, false); }},
@@ -84,6 +86,7 @@ void BuildPair::upload() {
     buffers.chunks.upload(std::span<const Chunk>(arrays.chunks));
     buffers.bounds.upload(std::span<const uint32_t>(arrays.bounds));
     buffers.bins.upload(std::span<const uint32_t>(arrays.bins));
+    buffers.nearest.upload(std::span<const NearestFaces>(arrays.nearest));
     buffers.smallNodes.upload(std::span<const uint32_t>(arrays.smallNodes));
     buffers.sides.upload(std::span<const uint32_t>(arrays.sides));
     buffers.clipped.upload(std::span<const Box>(arrays.clipped));
@@ -113,6 +116,7 @@ std::string BuildPair::differenceAfter(const std::function<void(Recorder&)>& onD
     compare("chunks", arrays.chunks, buffers.chunks);
     compare("bounds", arrays.bounds, buffers.bounds);
     compare("bins", arrays.bins, buffers.bins);
+    compare("nearest", arrays.nearest, buffers.nearest);
     compare("smallNodes", arrays.smallNodes, buffers.smallNodes);
     compare("sides", arrays.sides, buffers.sides);
     compare("clipped", arrays.clipped, buffers.clipped);
@@ -144,7 +148,7 @@ void expectPassEqualsTwin(const std::string& name, uint32_t triangleCount, uint3
                 onTwin();
                 continue;
             }
-            const bool scansNodes = p > 5;
+            const bool scansNodes = p > 7;
             auto onDevice = [&](Recorder& r) {
                 if (pass.onDevice)
                     (pair.passes.*pass.onDevice)(r, pair.buffers, depth);

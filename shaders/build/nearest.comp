@@ -1,0 +1,38 @@
+#version 460
+// The faces of boxes next to a large node's split, and the counts there. A workgroup per chunk.
+#extension GL_GOOGLE_include_directive : require
+#include "lib/build.glsl"
+
+layout(local_size_x = kGroup) in;
+
+shared NearestFaces faces;
+
+void main() {
+    uint c = groupIndex();
+    if (c >= thisLevel.chunkCount) return;
+    uint i = gl_LocalInvocationID.x;
+    Chunk chunk = args.chunks.at[c];
+    BuildNode node = nodesIn().at[chunk.node];
+    uint axis = node.split.axis;
+    if (axis == kLeafAxis) return;
+    if (i == 0u) faces = noFaces();
+    barrier();
+    NearestFaces mine = noFaces();
+    PrimRefArray refs = refsIn();
+    for (uint k = i; k < chunk.count; k += kGroup) {
+        PrimRef r = refs.at[chunk.first + k];
+        mine = including(mine, r.lo[axis], r.hi[axis], node.split.position);
+    }
+    atomicMax(faces.below, mine.below);
+    atomicMin(faces.above, mine.above);
+    atomicAdd(faces.left, mine.left);
+    atomicAdd(faces.rightBelow, mine.rightBelow);
+    atomicAdd(faces.rightAbove, mine.rightAbove);
+    barrier();
+    if (i != 0u) return;
+    atomicMax(args.nearest.at[node.chunk].below, faces.below);
+    atomicMin(args.nearest.at[node.chunk].above, faces.above);
+    atomicAdd(args.nearest.at[node.chunk].left, faces.left);
+    atomicAdd(args.nearest.at[node.chunk].rightBelow, faces.rightBelow);
+    atomicAdd(args.nearest.at[node.chunk].rightAbove, faces.rightAbove);
+}
