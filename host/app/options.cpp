@@ -10,6 +10,7 @@
 
 #include "app/option_values.h"
 #include "error.h"
+#include "kdtree/builder_names.h"
 
 namespace cleave {
 namespace {
@@ -19,8 +20,6 @@ constexpr std::array<std::pair<const char*, Command>, 5> kCommands = {{{"render"
                                                                        {"info", Command::info},
                                                                        {"bench", Command::bench},
                                                                        {"devices", Command::devices}}};
-constexpr std::array<std::pair<const char*, Builder>, 4> kBuilders = {
-    {{"gpu", Builder::gpu}, {"twin", Builder::twin}, {"exact", Builder::exact}, {"brute", Builder::brute}}};
 constexpr std::array<std::pair<const char*, View>, 5> kViews = {{{"shaded", View::shaded},
                                                                  {"normals", View::normals},
                                                                  {"depth", View::depth},
@@ -42,6 +41,22 @@ Value lookUp(const std::array<std::pair<const char*, Value>, n>& table, const st
     for (const auto& [known, value] : table)
         if (name == known) return value;
     throw CLI::ValidationError(option, "'" + name + "' is not known or not built yet; there is: " + namesIn(table));
+}
+
+// The device's builder and its twin first, then those of the CPU.
+std::vector<std::pair<std::string_view, std::string_view>> builderDescriptions() {
+    std::vector<std::pair<std::string_view, std::string_view>> builders{
+        {Builder::gpu.name, "min-max binning on the device (Shevtsov et al. 2007), the default"},
+        {Builder::twin.name, "the same on the CPU, plainly written: the same tree"}};
+    for (const CpuBuilder& builder : cpuBuilders()) builders.emplace_back(builder.name, builder.description);
+    return builders;
+}
+
+Builder builderNamed(const std::string& name) {
+    for (const auto& [known, description] : builderDescriptions())
+        if (name == known) return {known};
+    throw CLI::ValidationError(
+        "--builder", "'" + name + "' is not known or not built yet; there is: " + namesIn(builderDescriptions()));
 }
 
 // Adds an option whose text goes through `parse`; where that gives nothing, the use is wrong and `wanted` says why.
@@ -80,7 +95,7 @@ void addBuilders(CLI::App& app, Options& options, bool several) {
         options.builders.clear();
         std::vector<std::string> names = several ? CLI::detail::split(given, ',') : std::vector<std::string>{given};
         for (const std::string& name : names) {
-            const Builder builder = lookUp(kBuilders, "--builder", name);
+            const Builder builder = builderNamed(name);
             for (const Builder other : options.builders)
                 if (other == builder) throw CLI::ValidationError("--builder", "'" + name + "' is given twice");
             options.builders.push_back(builder);
@@ -88,9 +103,13 @@ void addBuilders(CLI::App& app, Options& options, bool several) {
     };
     app.add_option_function<std::string>("--builder", read,
                                          std::string("who builds the tree") +
-                                             (several ? ", or several: gpu,exact" : "") + " (" + namesIn(kBuilders) +
-                                             ")")
+                                             (several ? ", or several: gpu,exact" : "") + " (" +
+                                             namesIn(builderDescriptions()) + ")")
         ->type_name(several ? "NAME,..." : "NAME");
+    std::string footer = "Builders:";
+    for (const auto& [name, description] : builderDescriptions())
+        footer += "\n  " + std::string(name) + ": " + std::string(description);
+    app.footer(footer);
 }
 
 void addOutput(CLI::App& app, Options& options) {
@@ -223,11 +242,7 @@ void complete(Options& options) {
 
 }  // namespace
 
-std::string nameOf(Builder builder) {
-    for (const auto& [name, value] : kBuilders)
-        if (value == builder) return name;
-    return "unknown";
-}
+std::string nameOf(Builder builder) { return std::string(builder.name); }
 
 Request parseCommandLine(int argc, const char* const* argv) {
     const std::string first = argc > 1 ? argv[1] : "";

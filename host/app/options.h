@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -16,7 +17,16 @@
 namespace cleave {
 
 enum class Command { render, trace, info, bench, devices };
-enum class Builder { gpu, twin, exact, brute };
+
+// Who builds the tree, by name: the device, its twin, or one of kdtree/builder_names.h.
+struct Builder {
+    std::string_view name;
+    bool operator==(const Builder&) const = default;
+    static const Builder gpu, twin, exact;
+};
+inline constexpr Builder Builder::gpu{"gpu"};
+inline constexpr Builder Builder::twin{"twin"};
+inline constexpr Builder Builder::exact{"exact"};
 
 std::string nameOf(Builder builder);
 

@@ -2,7 +2,7 @@
 
 #include "app/text.h"
 #include "error.h"
-#include "kdtree/builders.h"
+#include "kdtree/builder_names.h"
 #include "scene/camera.h"
 #include "twin/twin_builder.h"
 
@@ -14,14 +14,12 @@ namespace fs = std::filesystem;
 // The timed part is from triangles in memory to a KdTree.
 void buildOnHost(BuiltTree& built, const TriangleSet& set, const BuildSettings& settings) {
     const Stopwatch watch;
-    if (built.builder == Builder::exact) {
-        built.tree = buildExact(set, settings);
-    } else if (built.builder == Builder::twin) {
+    if (built.builder == Builder::twin) {
         TwinResult result = buildTwin(set, settings);
         built.tree = std::move(result.tree);
         built.memoryLimited = result.memoryLimited;
     } else {
-        built.tree = buildBrute(set);
+        built.tree = cpuBuilder(built.builder.name).build(set, settings);
     }
     built.runs.push_back(watch.milliseconds());
     built.peakBytes = built.tree.nodes.capacity() * sizeof(KdNode) +

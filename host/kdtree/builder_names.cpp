@@ -1,0 +1,31 @@
+#include "kdtree/builder_names.h"
+
+#include <string>
+
+#include "error.h"
+#include "kdtree/builders.h"
+
+namespace cleave {
+namespace {
+
+KdTree brute(const TriangleSet& set, const BuildSettings&) { return buildBrute(set); }
+
+constexpr CpuBuilder kCpuBuilders[] = {
+    {"exact", buildExact, "exact SAH with perfect splits (Wald and Havran 2006)"},
+    {"brute", brute, "no tree: one leaf that lists all triangles"},
+};
+
+}  // namespace
+
+std::span<const CpuBuilder> cpuBuilders() { return kCpuBuilders; }
+
+const CpuBuilder& cpuBuilder(std::string_view name) {
+    std::string names;
+    for (const CpuBuilder& builder : kCpuBuilders) {
+        if (builder.name == name) return builder;
+        names += (names.empty() ? "" : ", ") + std::string(builder.name);
+    }
+    throw Error("no builder on the CPU is named '" + std::string(name) + "'; there is: " + names);
+}
+
+}  // namespace cleave
