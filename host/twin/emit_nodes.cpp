@@ -20,17 +20,21 @@ void emitChild(BuildArrays& a, uint32_t depth, uint32_t index, Box cell, uint32_
 void emitNodes(BuildArrays& a, uint32_t depth) {
     glm::uvec4 before(0);
     for (uint32_t n = 0; n < a.state.level[depth].nodeCount; n++) {
-        const BuildNode& node = a.nodes[depth % 2][n];
+        BuildNode& node = a.nodes[depth % 2][n];
         const Split& s = node.split;
-        if (a.state.finish) {
-            a.tree[node.treeNode] = leafNode(a.state.leafBase + node.first, node.count);
-        } else if (s.axis == kLeafAxis) {
-            a.tree[node.treeNode] = leafNode(a.state.leafBase + before.y, node.count);
+        if (a.state.finish || s.axis == kLeafAxis) {
+            const uint32_t first = a.state.leafBase + (a.state.finish ? node.first : before.y);
+            a.tree[node.treeNode] = leafNode(first, node.count);
+            node.child = kNone;
+            node.leftBase = first;
         } else {
             const Children c = childrenOf(a, node);
             const uint32_t below = a.settings.exactBelow;
             const uint32_t left = 2 * before.x;
             const uint32_t first = a.offsets[node.first].x + a.offsets[node.first].y;
+            node.child = left;
+            node.leftBase = a.offsets[node.first].y;
+            node.rightBase = a.offsets[node.first + node.count].x;
             a.tree[node.treeNode] = innerNode(s.axis, s.position, a.state.nodeBase + left);
             emitChild(a, depth, left, leftOf(node.cell, s.axis, s.position), first, c.left, before.z, before.w);
             emitChild(a, depth, left + 1, rightOf(node.cell, s.axis, s.position), first + c.left, c.right,

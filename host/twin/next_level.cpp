@@ -18,7 +18,9 @@ void nextLevel(BuildArrays& a, uint32_t depth) {
     s.levels = depth + 1;
     s.nodeBase = s.nodesUsed;
     s.leafBase = s.leafRefsUsed;
-    s.level[depth + 1] = fits ? levelOf(refs, levelNodes, s.nodeTotals.z, s.nodeTotals.w) : levelOf(0, 0, 0, 0);
+    const bool last = depth + 1 >= a.maxDepth;  // its nodes are leaves: there is nothing to choose
+    s.level[depth + 1] =
+        fits ? levelOf(refs, levelNodes, last ? 0 : s.nodeTotals.z, last ? 0 : s.nodeTotals.w) : levelOf(0, 0, 0, 0);
     if (fits) s.nodesUsed = nodes;
     s.leafRefsUsed += fits ? s.nodeTotals.y : s.level[depth].refCount;
 }

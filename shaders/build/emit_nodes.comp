@@ -19,17 +19,27 @@ void emitChild(uint index, Box cell, uint first, uint count, uint chunk, uint sm
     if (smallsOf(count, args.exactBelow) > 0u) args.smallNodes.at[small] = index;
 }
 
+void emitLeaf(uint index, BuildNode node, uint first) {
+    args.tree.at[node.treeNode] = leafNode(first, node.count);
+    nodesIn().at[index].child = kNone;
+    nodesIn().at[index].leftBase = first;
+}
+
 // `before`: the totals of the nodes before this one.
-void emitNode(BuildNode node, uvec2 children, uvec4 before) {
+void emitNode(uint index, BuildNode node, uvec2 children, uvec4 before) {
     Split s = node.split;
     if (s.axis == kLeafAxis) {
-        args.tree.at[node.treeNode] = leafNode(args.state.at.leafBase + before.y, node.count);
+        emitLeaf(index, node, args.state.at.leafBase + before.y);
         return;
     }
     uint left = 2u * before.x;
     args.tree.at[node.treeNode] = innerNode(s.axis, s.position, args.state.at.nodeBase + left);
+    // The children of a node lie one after the other, where the left and right references before the node end.
     uvec2 offset = args.offsets.at[node.first];
     uint first = offset.x + offset.y;
+    nodesIn().at[index].child = left;
+    nodesIn().at[index].leftBase = offset.y;
+    nodesIn().at[index].rightBase = args.offsets.at[node.first + node.count].x;
     emitChild(left, leftOf(node.cell, s.axis, s.position), first, children.x, before.z, before.w);
     emitChild(left + 1u, rightOf(node.cell, s.axis, s.position), first + children.x, children.y,
               before.z + chunksOf(children.x, args.exactBelow), before.w + smallsOf(children.x, args.exactBelow));
@@ -45,7 +55,7 @@ void main() {
     if (args.state.at.finish != 0u) {
         for (uint k = from; k < to; k++) {
             BuildNode node = nodesIn().at[k];
-            args.tree.at[node.treeNode] = leafNode(args.state.at.leafBase + node.first, node.count);
+            emitLeaf(k, node, args.state.at.leafBase + node.first);
         }
         return;
     }
@@ -61,7 +71,7 @@ void main() {
     for (uint k = from; k < to; k++) {
         BuildNode node = nodesIn().at[k];
         uvec2 children = childCounts(node);
-        emitNode(node, children, sum);
+        emitNode(k, node, children, sum);
         sum += nodeCounts(node, children);
     }
 }

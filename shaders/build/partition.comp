@@ -19,12 +19,12 @@ void main() {
     if (i >= thisLevel.refCount) return;
     PrimRef r = refsIn().at[i];
     BuildNode node = nodesIn().at[r.node];
-    KdNode emitted = args.tree.at[node.treeNode];
-    if (isLeaf(emitted)) {
-        args.leafRefs.at[leafFirst(emitted) + i - node.first] = r.prim;
+    if (node.child == kNone) {
+        args.leafRefs.at[node.leftBase + i - node.first] = r.prim;
         return;
     }
     uint side = args.sides.at[i];
+    uvec2 before = args.offsets.at[i];
     Box left;
     left.lo = r.lo;
     left.hi = r.hi;
@@ -33,11 +33,6 @@ void main() {
         left = args.clipped.at[2u * i];
         right = args.clipped.at[2u * i + 1u];
     }
-    // The children of a node lie one after the other, where the left and right references before the node end.
-    uvec2 before = args.offsets.at[i];
-    uint child = nodeChild(emitted) - args.state.at.nodeBase;
-    if ((side & kLeft) != 0u) place(args.offsets.at[node.first].y + before.x, r.prim, left, child);
-    if ((side & kRight) != 0u) {
-        place(args.offsets.at[node.first + node.count].x + before.y, r.prim, right, child + 1u);
-    }
+    if ((side & kLeft) != 0u) place(node.leftBase + before.x, r.prim, left, node.child);
+    if ((side & kRight) != 0u) place(node.rightBase + before.y, r.prim, right, node.child + 1u);
 }

@@ -28,9 +28,13 @@ struct BuildNode {
     uint count;
     uint treeNode;  // index of its KdNode
     uint chunk;     // its first chunk, if it is large
-    Split split;    // axis kLeafAxis: becomes a leaf
+    // Where its references go, set by emit_nodes. child: the left child's index in the next level, kNone for a leaf.
+    uint child;
+    uint leftBase;   // a left reference goes to leftBase + (left ones of the level before it); leaf: begin of its list
+    uint rightBase;  // and a right one to rightBase + (right ones before it)
+    Split split;     // axis kLeafAxis: becomes a leaf
 };
-CLEAVE_SIZE(BuildNode, 56);
+CLEAVE_SIZE(BuildNode, 68);
 
 // Up to kChunk consecutive references of a large node.
 struct Chunk {
@@ -211,6 +215,9 @@ CLEAVE_FN BuildNode buildNode(Box cell, uint first, uint count, uint treeNode, u
     n.count = count;
     n.treeNode = treeNode;
     n.chunk = chunk;
+    n.child = kNone;
+    n.leftBase = 0u;
+    n.rightBase = 0u;
     n.split = noSplit();
     return n;
 }
@@ -229,6 +236,7 @@ struct BinRange {
     float lo;
     float hi;
     float width;
+    float invWidth;  // for a first guess only: division differs between devices
     uint count;
 };
 
@@ -238,6 +246,7 @@ CLEAVE_FN BinRange binRange(float lo, float hi, uint count, float invCount) {
     r.hi = hi;
     precise float width = (hi - lo) * invCount;
     r.width = width;
+    r.invWidth = 1.0f / max(width, kSmallestNormal);
     r.count = count;
     return r;
 }
@@ -259,7 +268,7 @@ CLEAVE_FN float binPlane(BinRange r, uint b) {
 // comparing with the planes themselves puts it right, so that counters agree with sideOf().
 CLEAVE_FN uint binIndex(BinRange r, float x, bool strictly) {
     if (!isResolved(r)) return 0u;
-    uint b = min(uint(max((x - r.lo) / r.width, 0.0f)), r.count - 1u);
+    uint b = min(uint(max((x - r.lo) * r.invWidth, 0.0f)), r.count - 1u);
     float below = binPlane(r, b);
     float above = binPlane(r, b + 1u);
     if (b > 0u && (strictly ? below >= x : below > x)) return b - 1u;

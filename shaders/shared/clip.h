@@ -34,8 +34,11 @@ CLEAVE_FN Box includingEdge(Box b, vec3 from, vec3 to, uint axis, float position
     bool toIn = below ? to[axis] <= position : to[axis] >= position;
     if (fromIn) b = including(b, from);
     // From the inside out, whatever the direction of travel: neighbours cut a shared edge alike.
-    if (fromIn != toIn)
-        b = including(b, fromIn ? cutEdge(from, to, axis, position) : cutEdge(to, from, axis, position));
+    if (fromIn != toIn) {
+        vec3 inside = fromIn ? from : to;
+        vec3 outside = fromIn ? to : from;
+        b = including(b, cutEdge(inside, outside, axis, position));
+    }
     return b;
 }
 

@@ -34,6 +34,11 @@ CLEAVE_FN float correctedQuotient(float a, float b, float quotient) {
     precise float q = quotient;
     if (q == 0.0f) return 0.0f;
     precise float r = divisionResidual(a, b, q);
+    // Surely nearest if off by less than half a step. Below a power of two the steps are half as wide: corrected below.
+    uint bits = floatBitsToUint(q);
+    precise float step = uintBitsToFloat(bits & 0x7F800000u) * 1.1920928955078125e-07f;
+    precise float halfStep = 0.4999f * step * b;
+    if (abs(r) < halfStep && ((bits & 0x007FFFFFu) != 0u || r >= 0.0f)) return q;
     precise float correction = r / b;
     q = q + correction;
     r = divisionResidual(a, b, q);

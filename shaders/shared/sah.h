@@ -43,18 +43,22 @@ CLEAVE_FN float leafCost(Box cell, uint count) {
     return cost;
 }
 
+// A child shares the extents a, b across the split axis, so half its surface is a b + (a + b) length.
 CLEAVE_FN float splitCost(Box cell, uint axis, float position, uint leftCount, uint rightCount) {
     vec3 e = cell.hi - cell.lo;
-    precise float area = halfArea(e);
-    vec3 l = e;
-    vec3 r = e;
-    l[axis] = position - cell.lo[axis];
-    r[axis] = cell.hi[axis] - position;
-    precise float left = halfArea(l) * float(leftCount);
-    precise float right = halfArea(r) * float(rightCount);
+    float a = axis == 0u ? e.y : e.x;
+    float b = axis == 2u ? e.y : e.z;
+    precise float face = flushed(a * b);
+    precise float rim = a + b;
+    precise float whole = flushed(rim * (axis == 0u ? e.x : axis == 1u ? e.y : e.z));
+    precise float left = flushed(rim * (position - cell.lo[axis]));
+    precise float right = flushed(rim * (cell.hi[axis] - position));
+    whole = whole + face;
+    left = (left + face) * float(leftCount);
+    right = (right + face) * float(rightCount);
     precise float both = left + right;
     precise float cost = kCostIntersect * both;
-    precise float start = kCostTraverse * area;
+    precise float start = kCostTraverse * whole;
     cost = start + cost;
     if (leftCount == 0u || rightCount == 0u) cost = kEmptyBonus * cost;
     return cost;
