@@ -25,6 +25,8 @@ constexpr std::array<std::pair<const char*, View>, 5> kViews = {{{"shaded", View
                                                                  {"depth", View::depth},
                                                                  {"steps", View::steps},
                                                                  {"leaves", View::leaves}}};
+constexpr std::array<std::pair<const char*, AxisChoice>, 3> kAxes = {
+    {{"all", AxisChoice::all}, {"widest", AxisChoice::widest}, {"cycle", AxisChoice::cycle}}};
 constexpr std::array<std::pair<const char*, bool>, 2> kSwitch = {{{"on", true}, {"off", false}}};
 constexpr std::array<std::pair<const char*, int>, 1> kTraversals = {{{"restart", 0}}};
 
@@ -131,6 +133,9 @@ void addBuild(CLI::App& app, Options& options, bool several) {
     addWhole(app, "--exact-below", "exact SAH at so many references and below (" + std::to_string(kExactBelow) + ")",
              settings.exactBelow, 0, kExactBelow);
     addWhole(app, "--max-depth", "deepest leaf (by the number of triangles)", settings.maxDepth, 1, kMaxDepth);
+    addWhole(app, "--leaf-size", "medians: no split at so many references and below (4)", settings.leafSize, 1,
+             1u << 20);
+    addNamed(app, "--axes", "medians: axes that a node is cut along", settings.axes, kAxes);
     addNamed(app, "--clip", "clip triangles to the cells", settings.clip, kSwitch);
 }
 

@@ -18,11 +18,17 @@ struct KdTree {
     std::vector<uint32_t> leafTriangles;  // triangle numbers, leaf by leaf
 };
 
+// Which axes a median builder looks at in a node: all, and the cheapest by the SAH wins; the cell's longest; or one
+// after the other with the level, as in Bentley's trees. SAH builders have their rule in their name.
+enum class AxisChoice { all, widest, cycle };
+
 // What shapes a tree, for all builders that know the knob.
 struct BuildSettings {
     uint32_t bins = kBins;              // per axis, 2 to 32
     uint32_t exactBelow = kExactBelow;  // exact SAH at so many references and below, at most 32
     uint32_t maxDepth = 0;              // deepest leaf, at most kMaxDepth; 0: round(8 + 1.3 log2 N)
+    AxisChoice axes = AxisChoice::cycle;  // of median builders
+    uint32_t leafSize = 4;                // median builders stop at so many references
     bool clip = true;                   // clip straddling triangles to the children's cells
     uint64_t memory = 0;                // bytes that a build may use; 0: no limit but the machine's
     uint32_t threads = 2;               // of CPU builders that use several

@@ -4,6 +4,7 @@
 
 #include "app/option_values.h"
 #include "error.h"
+#include "kdtree/builder_names.h"
 
 namespace cleave::test {
 namespace {
@@ -88,9 +89,25 @@ TEST(Options, OtherCommands) {
     EXPECT_EQ(parse({"devices"}).command, Command::devices);
 }
 
+TEST(Options, EveryBuilderOfTheCpuHasAName) {
+    for (const CpuBuilder& builder : cpuBuilders())
+        EXPECT_EQ(nameOf(parse({"info", "a.glb", "--builder", builder.name.data()}).builders.front()), builder.name);
+}
+
+TEST(Options, KnobsOfMedians) {
+    const Options o = parse({"info", "a.glb", "--axes", "widest", "--leaf-size", "7"});
+    EXPECT_EQ(o.settings.axes, AxisChoice::widest);
+    EXPECT_EQ(o.settings.leafSize, 7u);
+    EXPECT_EQ(parse({"info", "a.glb"}).settings.axes, AxisChoice::cycle);
+    expectRefused({"render", "--axes", "none"}, "all, widest, cycle");
+    expectRefused({"render", "--leaf-size", "0"}, "from 1 to");
+}
+
 TEST(Options, HelpAndVersion) {
     EXPECT_NE(std::get<std::string>(request({"--help"})).find("render"), std::string::npos);
-    EXPECT_NE(std::get<std::string>(request({"render", "--help"})).find("--size"), std::string::npos);
+    const std::string help = std::get<std::string>(request({"render", "--help"}));
+    for (const char* part : {"--size", "hunt-one: ", "spatial-median: "})
+        EXPECT_NE(help.find(part), std::string::npos) << part;
     EXPECT_EQ(std::get<std::string>(request({"--version"})).find("cleave "), 0u);
     EXPECT_EQ(std::get<std::string>(request({"bench", "--version"})).find("cleave "), 0u);
 }
@@ -109,7 +126,7 @@ TEST(Options, WrongUseNamesWhatThereIs) {
 }
 
 TEST(Options, OptionsOfLaterAreNotTakenYet) {
-    for (const char* option : {"--spp", "--time", "--frames", "--subsample", "--leaf-size", "--axes", "--aperture"}) {
+    for (const char* option : {"--spp", "--time", "--frames", "--subsample", "--aperture"}) {
         expectRefused({"render", option, "4"}, option);
         expectRefused({"render", option, "4"}, "--size");
     }
