@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "shared/sah.h"
+
 namespace cleave {
 namespace {
 
@@ -63,6 +65,24 @@ void takeAdaptiveSamples(const BoxExtents& boxes, float from, float to, uint32_t
     countSides(boxes, std::span(samples).subspan(q + 2));
     std::inplace_merge(samples.begin(), samples.begin() + q + 2, samples.end(),
                        [](const CostSample& a, const CostSample& b) { return a.position < b.position; });
+}
+
+// With p in [0, 1] from a to b, the cost (A + p dA)(L + p dL) + (B - p dA)(R + p dR) is a parabola, open upwards since
+// L never falls and R never grows.
+Valley valleyBetween(const CostSample& a, const CostSample& b, const Box& cell, uint32_t axis) {
+    const auto areaLeft = [&](float x) { return halfArea(leftOf(cell, axis, x).hi - cell.lo); };
+    const auto areaRight = [&](float x) { return halfArea(cell.hi - rightOf(cell, axis, x).lo); };
+    const float leftA = areaLeft(a.position), rightA = areaRight(a.position);
+    const float growLeft = areaLeft(b.position) - leftA, growRight = areaRight(b.position) - rightA;
+    const auto countLeft = static_cast<float>(a.left), countRight = static_cast<float>(a.right);
+    const float moreLeft = static_cast<float>(b.left) - countLeft, moreRight = static_cast<float>(b.right) - countRight;
+
+    const float square = growLeft * moreLeft + growRight * moreRight;
+    const float slope = leftA * moreLeft + growLeft * countLeft + rightA * moreRight + growRight * countRight;
+    float p = slope < 0.0f ? 1.0f : 0.0f;
+    if (square > 0.0f) p = std::clamp(-slope / (2.0f * square), 0.0f, 1.0f);
+    const float position = std::clamp(a.position + p * (b.position - a.position), a.position, b.position);
+    return {position, leftA * countLeft + rightA * countRight + p * (slope + p * square)};
 }
 
 }  // namespace cleave

@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "shared/box.h"
+
 namespace cleave {
 
 // The extents of a node's boxes along one axis.
@@ -28,5 +30,12 @@ void countSides(const BoxExtents& boxes, std::span<CostSample> samples);
 // more where left - right grows. Between neighbours, (difference of position) x (difference of left - right) is at
 // most (to - from) x 2n / q^2 for n boxes.
 void takeAdaptiveSamples(const BoxExtents& boxes, float from, float to, uint32_t q, std::vector<CostSample>& samples);
+
+// Where the cost between two neighbouring samples is least, if counts and areas are interpolated linearly.
+struct Valley {
+    float position;
+    float cost;  // half area times count of either side: without the terms that all positions share
+};
+Valley valleyBetween(const CostSample& a, const CostSample& b, const Box& cell, uint32_t axis);
 
 }  // namespace cleave

@@ -95,6 +95,32 @@ TEST_P(AdaptiveSamples, HoldTrueCountsAndStayInRange) {
 
 INSTANTIATE_TEST_SUITE_P(Q, AdaptiveSamples, testing::Range(4u, 65u));
 
+// The interpolated cost, in double, at a thousand places: none is below the valley, and the valley is one of them.
+TEST(Valley, IsTheLowestPlaceOfTheInterpolatedCost) {
+    int inside = 0;
+    for (uint32_t seed = 0; seed < 300; ++seed) {
+        SCOPED_TRACE(seed);
+        test::Random random(seed);
+        const Box cell{vec3(0), vec3(0.2f) + random.point(0.0f, 1.0f)};
+        const int axis = static_cast<int>(seed % 3);
+        const float from = 0.4f * cell.hi[axis] * random.unit(), to = cell.hi[axis] * random.between(0.5f, 1.0f);
+        const CostSample a{from, random.below(100), 50 + random.below(200)};
+        const CostSample b{to, a.left + random.below(200), a.right - random.below(50)};
+        const Valley valley = valleyBetween(a, b, cell, seed % 3);
+
+        const auto costAt = [&](double x) {
+            const double y = cell.hi[(axis + 1) % 3], z = cell.hi[(axis + 2) % 3], p = (x - from) / (to - from);
+            const double left = x * (y + z) + y * z, right = (cell.hi[axis] - x) * (y + z) + y * z;
+            return left * (a.left + p * (double(b.left) - a.left)) +
+                   right * (a.right + p * (double(b.right) - a.right));
+        };
+        EXPECT_NEAR(valley.cost, costAt(valley.position), 1e-4 * valley.cost);
+        for (int i = 0; i <= 1000; ++i) EXPECT_GE(costAt(from + i * (double(to) - from) / 1000), 0.9999 * valley.cost);
+        if (from < valley.position && valley.position < to) ++inside;
+    }
+    EXPECT_GT(inside, 50) << "the ends are no test of the parabola";
+}
+
 // A closed surface with bumps, about 4 side^2 triangles.
 TriangleSet bumpySphere(uint32_t side) {
     const auto at = [&](uint32_t i, uint32_t j) {

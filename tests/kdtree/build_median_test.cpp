@@ -41,6 +41,34 @@ TEST(BuildMedian, ThreeTrianglesWorkedByHand) {
     EXPECT_EQ(listOf(object, 2), (std::vector<uint32_t>{1, 2}));
 }
 
+// 63 cubes in a row, listed out of order (20 and 63 have no common factor): the 32nd holds the plane.
+TEST(BuildMedian, MedianIsTheMiddleOne) {
+    std::vector<Triangle> row;
+    for (uint32_t i = 0; i < 63; ++i) row.push_back(unitAt({static_cast<float>(i * 20 % 63), 0, 0}));
+    row[0] = unitAt({1, 0, 0});  // the row is no longer symmetric, its median is
+    const TriangleSet set = makeTriangleSet(row);
+    ASSERT_EQ(set.exponent, 6);
+    EXPECT_EQ(nodePosition(buildObjectMedian(set, stopAt(1)).nodes[0]), 31.5f / 64.0f);
+    EXPECT_EQ(nodePosition(buildSpatialMedian(set, stopAt(1)).nodes[0]), 32.0f / 64.0f);
+}
+
+// An extent below the smallest normal number is none, even if planes lie inside: a device may take it for zero.
+TEST(BuildMedian, LeavesAxesOfDenormalExtentAlone) {
+    std::vector<Triangle> sheet;
+    for (Triangle t : test::soup(8, 300, 0.05f)) {
+        t.a.z = 4e-38f, t.b.z = 4.4e-38f, t.c.z = 4.8e-38f;
+        sheet.push_back(t);
+    }
+    const TriangleSet set = makeTriangleSet(sheet);
+    ASSERT_LT(set.bounds.lo.z, set.bounds.hi.z);
+    ASSERT_LT(set.bounds.hi.z - set.bounds.lo.z, kSmallestNormal);
+    for (const auto build : {buildSpatialMedian, buildObjectMedian}) {
+        const KdTree tree = build(set, {});
+        EXPECT_GT(tree.nodes.size(), 100u);
+        for (const KdNode& node : tree.nodes) EXPECT_NE(nodeAxis(node), 2u);
+    }
+}
+
 // Cubes at y = 0 and 5: Bentley's first axis is x, the longest y; the cheapest cut leaves each cube whole, so y again.
 TEST(BuildMedian, AxesAreChosenAsAsked) {
     const TriangleSet set = makeTriangleSet(std::vector<Triangle>{unitAt({0, 0, 0}), unitAt({0, 5, 0})});
