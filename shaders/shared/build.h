@@ -50,8 +50,9 @@ CLEAVE_CONST uint kBoundsWords = 6u;
 CLEAVE_CONST uint kBinWords = 6u * kBins;
 
 // Between two faces of boxes the counts on either side of a plane are constant and the cost is affine (survey, section
-// 4), so moving a boundary of bins to the nearest face on one side or the other never costs more. Kept per chunk, used
-// in the first chunk of a node: the faces next to the node's split, and the counts for a plane there.
+// 4), so moving a boundary of bins to the nearest face on one side or the other never costs more, unless that face is
+// the cell's own. Kept per chunk, used in the first chunk of a node: the faces next to the node's split, and the counts
+// for a plane there.
 struct NearestFaces {
     uint below;       // ordered bits of the last face before the plane; 0 if there is none
     uint above;       // of the first one at or behind it

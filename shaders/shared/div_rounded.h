@@ -29,7 +29,8 @@ CLEAVE_FN float divisionResidual(float a, float b, float q) {
     return r - err;
 }
 
-// a / b rounded to nearest, from a quotient that is off by a few ulp. For 0 <= a <= b, b > 2^-60: what clipping needs.
+// a / b rounded to nearest, from a quotient that is off by a few ulp. For 0 <= a <= b and a above
+// 2^-78 (below, the residual underflows on devices that flush denormals; clipping stays safe, by its margin).
 CLEAVE_FN float correctedQuotient(float a, float b, float quotient) {
     precise float q = quotient;
     if (q == 0.0f) return 0.0f;

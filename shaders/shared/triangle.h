@@ -2,9 +2,11 @@
 //
 // Which side of an edge a ray passes is the sign of a determinant. A float filter (the terms of Moeller and Trumbore
 // 1997, with a bound on their error) throws out clear misses; everything else is decided in double for the unmoved
-// vertices, by d . (A x B) with A, B = vertex - origin. That expression is antisymmetric in A and B to the last bit, so
-// the two triangles of an edge always agree about it (the property that Woop, Benthin and Wald 2013 get from shearing),
-// and t is evaluated to within a rounding of float. The filter only ever says "clear miss", so it cannot disagree.
+// vertices, in the plane across the ray (Woop, Benthin and Wald 2013). Each vertex is projected by itself, so all its
+// triangles see it in the same place, and the sign of an edge is that of the exact determinant of two projected
+// vertices, or 0, which counts as inside: no ray slips through an edge or a vertex. (d . (A x B) in double would be
+// antisymmetric, too, but its rounding can turn the signs around a vertex into a circle that no triangle accepts.) t is
+// evaluated to within a rounding of float. The filter only ever says "clear miss", so it cannot disagree.
 #ifndef CLEAVE_SHARED_TRIANGLE_H
 #define CLEAVE_SHARED_TRIANGLE_H
 #include "box.h"
@@ -83,17 +85,40 @@ CLEAVE_FN bool clearlyMisses(vec3 origin, vec3 direction, vec3 a, vec3 b, vec3 c
     return min(u, min(v, w)) < -bound && max(u, max(v, w)) > bound;
 }
 
-// The exact part: hit or miss by sign, then t, u, v. Lengths of |v - origin| up to 1e100 do not overflow.
+// Where a vertex lies as seen along the ray, times d[k]: Woop's shear (2013,
+// section 3.1) without its division.
+CLEAVE_FN dvec3 shearedAlong(dvec3 d, uint k, dvec3 v) {
+    uint i = k < 2u ? k + 1u : 0u;
+    uint j = k > 0u ? k - 1u : 2u;
+    precise double x0 = v[i] * d[k];
+    precise double x1 = v[k] * d[i];
+    precise double y0 = v[j] * d[k];
+    precise double y1 = v[k] * d[j];
+    return dvec3(x0 - x1, y0 - y1, 0.0);
+}
+// Rounding is monotone, so the difference of two rounded products has the sign
+// of the exact one, or is 0.
+CLEAVE_FN double edgeSide(dvec3 a, dvec3 b) {
+    precise double xy = a.x * b.y;
+    precise double yx = a.y * b.x;
+    return xy - yx;
+}
+
+// The exact part: hit or miss by sign, then t, u, v. Lengths of |v - origin| up
+// to 1e70 do not overflow.
 CLEAVE_FN Hit resolveTriangle(vec3 origin, vec3 direction, vec3 va, vec3 vb, vec3 vc) {
     Hit h = missedHit();
     dvec3 o = dvec3(origin);
     dvec3 d = dvec3(direction);
     dvec3 a = dvec3(va) - o;
-    dvec3 b = dvec3(vb) - o;
-    dvec3 c = dvec3(vc) - o;
-    precise double wa = preciseDot(d, preciseCross(b, c));
-    precise double wb = preciseDot(d, preciseCross(c, a));
-    precise double wc = preciseDot(d, preciseCross(a, b));
+    uint k = abs(direction.x) >= abs(direction.y) ? 0u : 1u;
+    if (abs(direction.z) > abs(direction[k])) k = 2u;
+    dvec3 sa = shearedAlong(d, k, a);
+    dvec3 sb = shearedAlong(d, k, dvec3(vb) - o);
+    dvec3 sc = shearedAlong(d, k, dvec3(vc) - o);
+    double wa = edgeSide(sb, sc);
+    double wb = edgeSide(sc, sa);
+    double wc = edgeSide(sa, sb);
     bool negative = wa < 0.0 || wb < 0.0 || wc < 0.0;
     bool positive = wa > 0.0 || wb > 0.0 || wc > 0.0;
     if (negative == positive) return h;  // outside an edge, or the ray lies in the triangle's plane
@@ -109,14 +134,15 @@ CLEAVE_FN Hit resolveTriangle(vec3 origin, vec3 direction, vec3 va, vec3 vb, vec
     return h;
 }
 
-// The hit of the ray's line with the triangle, or a miss; `prim` is left to the caller. The caller compares t with its
-// interval.
+// The hit of the ray's line with the triangle, or a miss; `prim` is left to the
+// caller. The caller compares t with its interval.
 CLEAVE_FN Hit intersectTriangle(vec3 origin, vec3 direction, Triangle triangle) {
     if (clearlyMisses(origin, direction, triangle.a, triangle.b, triangle.c)) return missedHit();
     return resolveTriangle(origin, direction, triangle.a, triangle.b, triangle.c);
 }
 
-// The closer hit; ties in t go to the lower primitive number, so that the answer does not depend on the order.
+// The closer hit; ties in t go to the lower primitive number, so that the
+// answer does not depend on the order.
 CLEAVE_FN bool isCloser(Hit a, Hit b) { return a.t < b.t || (a.t == b.t && a.prim < b.prim); }
 
 CLEAVE_END

@@ -107,6 +107,18 @@ TEST(Trace, TakesAnyNumberOfRays) {
     }
 }
 
+// Of hits at the same t the lowest number wins, in whichever order leaves and their lists come.
+TEST(Trace, GivesTiesToTheLowestNumber) {
+    const Triangle one{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const TriangleSet set = makeTriangleSet(std::vector<Triangle>(3, one));
+    KdTree tree;
+    tree.bounds = set.bounds;
+    tree.exponent = set.exponent;
+    tree.nodes = {leafNode(0, 3)};
+    tree.leafTriangles = {2, 0, 1};
+    expectAnswers(set, tree, {{{0.2f, 0.2f, 1.0f}, 0.0f, {0, 0, -1}, infinity()}});
+}
+
 // A chain of planes down to the deepest leaf that the trail can hold: both words of it are used, and each cell on the
 // way holds a triangle, so that a cell that is passed over shows.
 TEST(Trace, ReachesTheDeepestLeaf) {

@@ -183,6 +183,7 @@ void expectWatertight(Part part) {
 
 TEST(Triangle, facesAreWatertight) { expectWatertight(kInside); }
 TEST(Triangle, edgesAreWatertight) { expectWatertight(kEdge); }
+TEST(Triangle, verticesAreWatertight) { expectWatertight(kVertex); }
 
 }  // namespace
 }  // namespace cleave
