@@ -57,16 +57,17 @@ class SampleChooser {
         lo_.resize(node.refs.size());
         hi_.resize(node.refs.size());
         flat_.clear();
-        from_ = infinity();
-        to_ = -infinity();
+        float from = infinity(), to = -infinity();
         for (size_t i = 0; i < lo_.size(); ++i) {
             const float lo = node.refs[i].box.lo[axis], hi = node.refs[i].box.hi[axis];
             lo_[i] = lo;
             hi_[i] = hi;
-            from_ = min(from_, lo);
-            to_ = max(to_, hi);
+            from = min(from, lo);
+            to = max(to, hi);
             if (lo == hi) flat_.push_back(lo);
         }
+        from_ = from;
+        to_ = to;
     }
 
     uint32_t planarAt(float position) const {
