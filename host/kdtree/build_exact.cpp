@@ -1,79 +1,115 @@
+#include <tbb/global_control.h>
+#include <tbb/parallel_invoke.h>
+#include <tbb/task_arena.h>
+
+#include "kdtree/build_exact_nlog2n.h"
 #include "kdtree/builders.h"
-#include "kdtree/sort_keys.h"
-#include "kdtree/top_down.h"
+#include "kdtree/event_node.h"
+#include "kdtree/graft.h"
 
 namespace cleave {
 namespace {
 
-// The best of all planes through a face of a box, by a sweep along each axis (Wald and Havran 2006, algorithm 4; survey
-// section 5). Only counts matter, so the three kinds of events are three sorted lists of positions, walked together:
-// at equal positions ends come before planar ones, and these before starts.
-class SweepChooser {
-  public:
-    explicit SweepChooser(uint32_t maxDepth) : maxDepth_(maxDepth) {}
+// At most so many references: sorting afresh in each node is quicker than splicing. Both choose the same splits.
+constexpr uint32_t kSortUpTo = 8;
 
-    Split operator()(const NodeToSplit& node) {
-        Split best = noSplit();
-        for (uint32_t axis = 0; axis < 3; ++axis) {
-            gatherEvents(node, static_cast<int>(axis));
-            best = sweep(best, node, axis);
-        }
-        const auto count = static_cast<uint32_t>(node.refs.size());
-        return isWorthwhile(best, node.cell, count, node.depth, maxDepth_) ? best : noSplit();
+// With so many references, a node's right subtree may be built by another thread.
+constexpr uint32_t kShareChildrenFrom = 1024;
+
+// One part of the tree, built depth first by one thread at a time, as TopDownBuilder does it. Parts that other threads
+// built are put where this one would have built them, so that the tree does not depend on who built what.
+class ExactPart {
+  public:
+    ExactPart(EventBuild& build, const BuildSettings& settings)
+        : build_(build), settings_(settings), small_(build.set, settings, SweepChooser(build.maxDepth, report_)) {
+        tree_.nodes.resize(1);
     }
+    ExactPart(const ExactPart&) = delete;  // the chooser holds the report's address
+
+    void buildNode(uint32_t index, EventNode node) {
+        if (node.count <= kSortUpTo) return graft(tree_, index, small_.buildSubtree(node.toSplit()));
+        const Split split = choose(node);
+        if (split.axis == kLeafAxis) return makeLeaf(index, node);
+
+        const uint32_t child = appendChildren(tree_);
+        tree_.nodes[index] = innerNode(split.axis, split.position, child);
+        const bool shares = build_.parallel && node.count >= kShareChildrenFrom;
+        Children children = divide(build_, std::move(node), split, report_);
+        if (shares) return buildAtOnce(child, std::move(children));
+        buildNode(child, std::move(children.left));
+        buildNode(child + 1, std::move(children.right));
+    }
+
+    KdTree& tree() { return tree_; }
+    const BuildReport& report() const { return report_; }
 
   private:
-    using Keys = std::vector<uint32_t>;
-
-    // Ordered bits keep the order of floats; boxes hold no -0.
-    void gatherEvents(const NodeToSplit& node, int axis) {
-        starts_.clear();
-        ends_.clear();
-        planars_.clear();
-        for (const ClippedRef& ref : node.refs) {
-            const float lo = ref.box.lo[axis], hi = ref.box.hi[axis];
-            if (lo == hi) {
-                planars_.push_back(orderedBits(lo));
-            } else {
-                starts_.push_back(orderedBits(lo));
-                ends_.push_back(orderedBits(hi));
-            }
-        }
-        for (Keys* keys : {&starts_, &ends_, &planars_}) sortKeys(*keys, scratch_);
+    Split choose(const EventNode& node) {
+        if (node.depth >= build_.maxDepth || collapsedAxes(node.cell) >= 2) return noSplit();
+        Split best[3];
+        forEachAxis(build_, node.count, [&](int axis) {
+            best[axis] =
+                sweepEvents(noSplit(), node.alongAxis[axis], node.cell, static_cast<uint32_t>(axis), node.count);
+        });
+        for (const std::span<Event>& events : node.alongAxis) report_.eventsSwept += events.size();
+        for (const Split& split : {best[1], best[2]})
+            if (isBetter(split, best[0])) best[0] = split;
+        return isWorthwhile(best[0], node.cell, node.count, node.depth, build_.maxDepth) ? best[0] : noSplit();
     }
 
-    // How many keys equal `key`, from keys[next] on; `next` moves behind them.
-    static uint32_t take(const Keys& keys, size_t& next, uint32_t key) {
-        const size_t first = next;
-        while (next < keys.size() && keys[next] == key) ++next;
-        return static_cast<uint32_t>(next - first);
+    void buildAtOnce(uint32_t child, Children children) {
+        ExactPart right(build_, settings_);
+        tbb::parallel_invoke([&] { buildNode(child, std::move(children.left)); },
+                             [&] { right.buildNode(0, std::move(children.right)); });
+        graft(tree_, child + 1, right.tree_);
+        report_.eventsSwept += right.report_.eventsSwept;
+        report_.sortSteps += right.report_.sortSteps;
     }
 
-    Split sweep(Split best, const NodeToSplit& node, uint32_t axis) const {
-        size_t start = 0, end = 0, planar = 0;
-        uint32_t left = 0, right = static_cast<uint32_t>(node.refs.size());
-        while (end < ends_.size() || planar < planars_.size()) {
-            uint32_t key = end < ends_.size() ? ends_[end] : kNone;
-            if (planar < planars_.size()) key = min(key, planars_[planar]);
-            if (start < starts_.size()) key = min(key, starts_[start]);
-            const uint32_t ending = take(ends_, end, key);
-            const uint32_t lying = take(planars_, planar, key);
-            right -= ending + lying;
-            best = betterOfBothSides(best, node.cell, axis, fromOrderedBits(key), left, right, lying);
-            left += take(starts_, start, key) + lying;
-        }
-        return best;
+    void makeLeaf(uint32_t index, const EventNode& node) {
+        beginLeaf(tree_, index, node.count);
+        for (const ClippedRef& ref : node.references()) tree_.leafTriangles.push_back(ref.prim);
     }
 
-    const uint32_t maxDepth_;
-    Keys starts_, ends_, planars_, scratch_;
+    EventBuild& build_;
+    const BuildSettings& settings_;
+    BuildReport report_;
+    KdTree tree_;
+    TopDownBuilder<SweepChooser> small_;
 };
 
 }  // namespace
 
+KdTree buildExact(const TriangleSet& set, const BuildSettings& settings, BuildReport& report) {
+    EventBuild build{set, settings.clip, depthLimit(settings, set.included.size()), settings.threads > 1, {}};
+    ExactPart whole(build, settings);
+    const auto run = [&] {
+        BuildReport ofRoot;
+        EventNode root = rootNode(build, ofRoot);
+        whole.buildNode(0, std::move(root));
+        report = whole.report();
+        report.sortSteps += ofRoot.sortSteps;
+    };
+    if (build.parallel) {
+        // The one allows more threads than the machine has, the other keeps to fewer.
+        const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, settings.threads);
+        tbb::task_arena(static_cast<int>(settings.threads)).execute(run);
+    } else {
+        run();
+    }
+    KdTree tree = std::move(whole.tree());
+    tree.bounds = set.bounds;
+    tree.exponent = set.exponent;
+    // An array grows by copying into twice the room; while parts are put together, they exist twice.
+    const uint64_t treeBytes =
+        tree.nodes.capacity() * sizeof(KdNode) + tree.leafTriangles.capacity() * sizeof(uint32_t);
+    report.peakBytes = build.bytes.peak() + (build.parallel ? 3 : 2) * treeBytes;
+    return tree;
+}
+
 KdTree buildExact(const TriangleSet& set, const BuildSettings& settings) {
-    const SweepChooser chooser(depthLimit(settings, set.included.size()));
-    return TopDownBuilder<SweepChooser>(set, settings, chooser).build();
+    BuildReport report;
+    return buildExact(set, settings, report);
 }
 
 }  // namespace cleave

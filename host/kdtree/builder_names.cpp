@@ -12,6 +12,7 @@ KdTree brute(const TriangleSet& set, const BuildSettings&) { return buildBrute(s
 
 constexpr CpuBuilder kCpuBuilders[] = {
     {"exact", buildExact, "exact SAH with perfect splits (Wald and Havran 2006)"},
+    {"exact-nlog2n", buildExactNLog2N, "the same tree, with events sorted in each node"},
     {"hunt-all", buildHuntAll, "SAH from 16 adaptive samples per axis, exact in small nodes (Hunt et al. 2006)"},
     {"hunt-hybrid", buildHuntHybrid, "the same, in nodes above 1024 references along the longest axis only"},
     {"hunt-one", buildHuntOne, "the same, along the longest axis only, the others where that has no split"},

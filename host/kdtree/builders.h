@@ -7,8 +7,21 @@
 namespace cleave {
 
 // Exact SAH with perfect splits: every face of every clipped box is a candidate, planar triangles are tried on either
-// side (Wald and Havran 2006, survey section 5). Events are sorted per node: O(N log^2 N).
+// side (Wald and Havran 2006, survey section 5). Events are sorted once, then spliced and merged: O(N log N). The tree
+// is the same for any number of threads, bit for bit.
 KdTree buildExact(const TriangleSet& set, const BuildSettings& settings);
+
+// What a build took besides time.
+struct BuildReport {
+    uint64_t peakBytes = 0;    // at most so many were held at once, the tree and the room it grew in included
+    uint64_t eventsSwept = 0;  // summed over the nodes
+    uint64_t sortSteps = 0;    // n log2 n of each sort of n events, the logarithm rounded up
+};
+KdTree buildExact(const TriangleSet& set, const BuildSettings& settings, BuildReport& report);
+
+// The same tree, with events sorted in each node: O(N log^2 N), one thread.
+KdTree buildExactNLog2N(const TriangleSet& set, const BuildSettings& settings);
+KdTree buildExactNLog2N(const TriangleSet& set, const BuildSettings& settings, BuildReport& report);
 
 // Every split halves the cell. Median builders know no costs: they stop at settings.leafSize references, at the depth
 // limit, and where splitting only copies references (survey section 4).

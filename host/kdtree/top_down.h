@@ -47,6 +47,15 @@ class TopDownBuilder {
         return std::move(tree_);
     }
 
+    // The subtree of a node that another loop came to, as a tree whose node 0 is that node; good until the next call.
+    const KdTree& buildSubtree(const NodeToSplit& node) {
+        tree_.nodes.resize(1);
+        tree_.leafTriangles.clear();
+        refs_.assign(node.refs.begin(), node.refs.end());
+        buildNode(0, node.cell, node.depth, 0);
+        return tree_;
+    }
+
   private:
     // The node's references are refs_[begin..], on top of those of its ancestors and of their right children.
     void buildNode(uint32_t index, const Box& cell, uint32_t depth, size_t begin) {
