@@ -139,6 +139,47 @@ TEST(Events, CountingSortIsTheSameOrder) {
     EXPECT_EQ(events, expected);
 }
 
+// Counts by brute force over all boxes, at every face: what both builders share is right, too.
+TEST(Events, SweepFindsTheBestOfAllFaces) {
+    for (uint32_t seed = 0; seed < 200; ++seed) {
+        SCOPED_TRACE(seed);
+        test::Random random(seed);
+        std::vector<Box> boxes(1 + random.below(30));
+        for (Box& box : boxes)
+            for (int axis = 0; axis < 3; ++axis) {
+                box.lo[axis] = static_cast<float>(random.below(8));
+                box.hi[axis] = box.lo[axis] + static_cast<float>(random.below(3));
+            }
+        const Box cell{vec3(0), vec3(9, 10, 11)};
+        const auto count = static_cast<uint32_t>(boxes.size());
+        for (uint32_t axis = 0; axis < 3; ++axis) {
+            const int a = static_cast<int>(axis);
+            std::vector<Event> events(2 * boxes.size()), scratch(2 * boxes.size());
+            Event* end = events.data();
+            for (uint32_t i = 0; i < count; ++i) end = writeEvents(end, boxes[i], a, i);
+            const std::span<Event> filled(events.data(), end);
+            sortEvents(filled, scratch.data());
+            Split expected = noSplit();
+            for (float position = 0; position < 11; position += 1) {
+                uint32_t left = 0, right = 0, planar = 0, faces = 0;
+                for (const Box& box : boxes) {
+                    const bool lies = box.lo[a] == position && box.hi[a] == position;
+                    planar += lies;
+                    left += box.lo[a] < position;
+                    right += box.hi[a] > position;
+                    faces += box.lo[a] == position || box.hi[a] == position;
+                }
+                if (faces > 0) expected = betterOfBothSides(expected, cell, axis, position, left, right, planar);
+            }
+            const Split found = sweepEvents(noSplit(), filled, cell, axis, count);
+            EXPECT_EQ(found.cost, expected.cost);
+            EXPECT_EQ(found.axis, expected.axis);
+            EXPECT_EQ(found.position, expected.position);
+            EXPECT_EQ(found.planarLeft, expected.planarLeft);
+        }
+    }
+}
+
 // What the builds of a sheet of 2 n^2 triangles took, per triangle.
 struct Work {
     double swept, sortedOnce, sortedPerNode, bytes, straddling;
