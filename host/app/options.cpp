@@ -131,7 +131,7 @@ void addBuild(CLI::App& app, Options& options, bool several) {
         [&settings](uint64_t bytes) { settings.memory = bytes; }, "a size, for example 512M or 2G");
     addWhole(app, "--bins", "bins per axis (" + std::to_string(kBins) + ")", settings.bins, 2, kBins);
     addWhole(app, "--exact-below", "exact SAH at so many references and below (" + std::to_string(kExactBelow) + ")",
-             settings.exactBelow, 0, kExactBelow);
+             settings.exactBelow, 0, kMostExactBelow);
     addWhole(app, "--max-depth", "deepest leaf (by the number of triangles)", settings.maxDepth, 1, kMaxDepth);
     addWhole(app, "--leaf-size", "medians: no split at so many references and below (4)", settings.leafSize, 1,
              1u << 20);

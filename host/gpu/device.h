@@ -42,7 +42,10 @@ class Context {
     VmaAllocator allocator = nullptr;
     VkPhysicalDeviceProperties properties{};
     double setupMs = 0.0;
-    // Workgroup size for kernels where one item is a small piece of work: a CPU device runs 8 lanes at once.
+    // Workgroup sizes, specialisation constants of kernels. A CPU device runs 8 lanes at once and pays for each barrier
+    // by the lane: its workgroups are as small as that. For kernels whose workgroup treats a block of items:
+    uint32_t blockGroup() const { return properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? 8u : 64u; }
+    // And where it treats one small node:
     uint32_t smallGroup() const { return properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? 8u : 32u; }
 
     // Outlives the context where somebody wants to know what was said while it closed.

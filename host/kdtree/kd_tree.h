@@ -24,14 +24,14 @@ enum class AxisChoice { all, widest, cycle };
 
 // What shapes a tree, for all builders that know the knob.
 struct BuildSettings {
-    uint32_t bins = kBins;              // per axis, 2 to 32
-    uint32_t exactBelow = kExactBelow;  // exact SAH at so many references and below, at most 32
-    uint32_t maxDepth = 0;              // deepest leaf, at most kMaxDepth; 0: round(8 + 1.3 log2 N)
+    uint32_t bins = kBins;                // per axis, 2 to 32
+    uint32_t exactBelow = kExactBelow;    // exact SAH at so many references and below, at most kMostExactBelow
+    uint32_t maxDepth = 0;                // deepest leaf, at most kMaxDepth; 0: round(8 + 1.3 log2 N)
     AxisChoice axes = AxisChoice::cycle;  // of median builders
     uint32_t leafSize = 4;                // median builders stop at so many references
-    bool clip = true;                   // clip straddling triangles to the children's cells
-    uint64_t memory = 0;                // bytes that a build may use; 0: no limit but the machine's
-    uint32_t threads = 2;               // of CPU builders that use several
+    bool clip = true;                     // clip straddling triangles to the children's cells
+    uint64_t memory = 0;                  // bytes that a build may use; 0: no limit but the machine's
+    uint32_t threads = 2;                 // of CPU builders that use several
 };
 
 // round(8 + 1.3 log2 n), the field's formula, at most kMaxDepth; `settings.maxDepth` where that is given.

@@ -19,18 +19,18 @@ BuildPush push(const BuildBuffers& b, uint32_t depth, bool scanNodes = false) {
 BuildPasses::BuildPasses(Context& c)
     : makeRefs_(c, "make_refs", sizeof(BuildPush)),
       begin_(c, "begin", sizeof(BuildPush)),
-      bounds_(c, "bounds", sizeof(BuildPush)),
-      bin_(c, "bin", sizeof(BuildPush)),
+      bounds_(c, "bounds", sizeof(BuildPush), {c.blockGroup()}),
+      bin_(c, "bin", sizeof(BuildPush), {c.blockGroup()}),
       chooseSplit_(c, "choose_split", sizeof(BuildPush)),
-      nearest_(c, "nearest", sizeof(BuildPush)),
+      nearest_(c, "nearest", sizeof(BuildPush), {c.blockGroup()}),
       snap_(c, "snap", sizeof(BuildPush)),
       exactSplit_(c, "exact_split", sizeof(BuildPush), {c.smallGroup()}),
-      classify_(c, "classify", sizeof(BuildPush)),
+      classify_(c, "classify", sizeof(BuildPush), {c.blockGroup()}),
       scan_(c, "scan", sizeof(BuildPush)),
-      offsets_(c, "offsets", sizeof(BuildPush)),
-      countChildren_(c, "count_children", sizeof(BuildPush)),
+      offsets_(c, "offsets", sizeof(BuildPush), {c.blockGroup()}),
+      countChildren_(c, "count_children", sizeof(BuildPush), {c.blockGroup()}),
       nextLevel_(c, "next_level", sizeof(BuildPush)),
-      emitNodes_(c, "emit_nodes", sizeof(BuildPush)),
+      emitNodes_(c, "emit_nodes", sizeof(BuildPush), {c.blockGroup()}),
       partition_(c, "partition", sizeof(BuildPush)) {}
 
 void BuildPasses::makeRefs(Recorder& r, const BuildBuffers& b, uint32_t includedCount) const {

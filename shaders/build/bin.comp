@@ -2,7 +2,7 @@
 // Min-max binning (Shevtsov et al. 2007): counts where references start and end. A workgroup per chunk.
 #extension GL_GOOGLE_include_directive : require
 #include "lib/build.glsl"
-layout(local_size_x = kGroup) in;
+layout(local_size_x_id = 0) in;
 
 shared uint counters[kBinWords];
 
@@ -12,12 +12,12 @@ void main() {
     uint i = gl_LocalInvocationID.x;
     Chunk chunk = args.chunks.at[c];
     uint slot = nodesIn().at[chunk.node].chunk;
-    for (uint k = i; k < kBinWords; k += kGroup) counters[k] = 0u;
+    for (uint k = i; k < kBinWords; k += gl_WorkGroupSize.x) counters[k] = 0u;
     BinRange ranges[3];
     for (uint axis = 0u; axis < 3u; axis++) ranges[axis] = rangeOf(slot, axis);
     barrier();
     PrimRefArray refs = refsIn();
-    for (uint k = i; k < chunk.count; k += kGroup) {
+    for (uint k = i; k < chunk.count; k += gl_WorkGroupSize.x) {
         PrimRef r = refs.at[chunk.first + k];
         for (uint axis = 0u; axis < 3u; axis++) {
             uint base = 2u * axis * kBins;
@@ -26,7 +26,7 @@ void main() {
         }
     }
     barrier();
-    for (uint k = i; k < kBinWords; k += kGroup) {
+    for (uint k = i; k < kBinWords; k += gl_WorkGroupSize.x) {
         if (counters[k] != 0u) atomicAdd(args.bins.at[slot * kBinWords + k], counters[k]);
     }
 }

@@ -2,7 +2,7 @@
 // Bounds of a large node's references, which its bins will span. A workgroup per chunk; clears the node's bins too.
 #extension GL_GOOGLE_include_directive : require
 #include "lib/build.glsl"
-layout(local_size_x = kGroup) in;
+layout(local_size_x_id = 0) in;
 
 shared uint lo[3];
 shared uint hi[3];
@@ -14,7 +14,7 @@ void main() {
     Chunk chunk = args.chunks.at[c];
     BuildNode node = nodesIn().at[chunk.node];
     if (c == node.chunk) {
-        for (uint k = i; k < kBinWords; k += kGroup) args.bins.at[c * kBinWords + k] = 0u;
+        for (uint k = i; k < kBinWords; k += gl_WorkGroupSize.x) args.bins.at[c * kBinWords + k] = 0u;
     }
     if (i < 3u) {
         lo[i] = 0xFFFFFFFFu;
@@ -23,7 +23,7 @@ void main() {
     barrier();
     Box b = emptyBox();
     PrimRefArray refs = refsIn();
-    for (uint k = i; k < chunk.count; k += kGroup) {
+    for (uint k = i; k < chunk.count; k += gl_WorkGroupSize.x) {
         PrimRef r = refs.at[chunk.first + k];
         b = including(including(b, r.lo), r.hi);
     }

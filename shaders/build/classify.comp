@@ -4,7 +4,7 @@
 #include "lib/build.glsl"
 #include "shared/clip.h"
 
-layout(local_size_x = kGroup) in;
+layout(local_size_x_id = 0) in;
 
 shared uint straddling[kBlock];  // positions in the block; their order decides nothing
 shared uint straddlingCount;
@@ -50,7 +50,7 @@ void main() {
     uint count = min(kBlock, refCount - first);
     uint left = 0u;
     uint right = 0u;
-    for (uint k = gl_LocalInvocationID.x; k < count; k += kGroup) {
+    for (uint k = gl_LocalInvocationID.x; k < count; k += gl_WorkGroupSize.x) {
         uint side = classified(refsIn().at[first + k]);
         if (side == (kLeft | kRight)) {
             straddling[atomicAdd(straddlingCount, 1u)] = k;
@@ -61,7 +61,7 @@ void main() {
         }
     }
     barrier();
-    for (uint k = gl_LocalInvocationID.x; k < straddlingCount; k += kGroup) {
+    for (uint k = gl_LocalInvocationID.x; k < straddlingCount; k += gl_WorkGroupSize.x) {
         uint index = first + straddling[k];
         uint side = clipped(index);
         args.sides.at[index] = side;

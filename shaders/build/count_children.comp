@@ -4,7 +4,7 @@
 #include "lib/build.glsl"
 #include "lib/children.glsl"
 
-layout(local_size_x = kGroup) in;
+layout(local_size_x_id = 0) in;
 
 shared uint sums[4];
 
@@ -18,7 +18,7 @@ void main() {
     uint first = block * kBlock;
     uint count = min(kBlock, nodeCount - first);
     uvec4 sum = uvec4(0u);
-    for (uint k = i; k < count; k += kGroup) {
+    for (uint k = i; k < count; k += gl_WorkGroupSize.x) {
         BuildNode node = nodesIn().at[first + k];
         sum += nodeCounts(node, childCounts(node));
     }

@@ -1,14 +1,13 @@
 #version 460
 // Writes the tree's nodes of this level and the list of nodes, chunks and small nodes of the next. A workgroup per
-// block of nodes; an invocation treats kScanRun consecutive ones.
+// block of nodes; an invocation treats a run of consecutive ones.
 #extension GL_GOOGLE_include_directive : require
 #include "lib/build.glsl"
 #include "lib/children.glsl"
 
-const uint kRuns = kBlock / kScanRun;
-layout(local_size_x = kRuns) in;
+layout(local_size_x_id = 0) in;
 
-shared uvec4 runs[kRuns];
+shared uvec4 runs[64];  // one per invocation
 
 // One child: its node of the next level, and its place in the list of chunks or of small nodes.
 void emitChild(uint index, Box cell, uint first, uint count, uint chunk, uint small) {
@@ -50,8 +49,9 @@ void main() {
     uint nodeCount = thisLevel.nodeCount;
     if (block >= ceilDiv(nodeCount, kBlock)) return;
     uint i = gl_LocalInvocationID.x;
-    uint from = block * kBlock + i * kScanRun;
-    uint to = min(from + kScanRun, nodeCount);
+    uint run = kBlock / gl_WorkGroupSize.x;
+    uint from = block * kBlock + i * run;
+    uint to = min(from + run, nodeCount);
     if (args.state.at.finish != 0u) {
         for (uint k = from; k < to; k++) {
             BuildNode node = nodesIn().at[k];

@@ -22,14 +22,19 @@ void main() {
         uvec3 hiLeft = uvec3(0u);
         uvec3 hiRight = uvec3(0u);
         uvec3 hiPlanar = uvec3(0u);
+        bool anyFlat = false;
         for (uint j = 0u; j < node.count; j++) {
             PrimRef o = refs.at[node.first + j];
-            uvec3 isFlat = uvec3(equal(o.lo, o.hi));
             loLeft += uvec3(lessThan(o.lo, r.lo));
             loRight += uvec3(greaterThan(o.hi, r.lo));
-            loPlanar += isFlat * uvec3(equal(o.lo, r.lo));
             hiLeft += uvec3(lessThan(o.lo, r.hi));
             hiRight += uvec3(greaterThan(o.hi, r.hi));
+            anyFlat = anyFlat || any(equal(o.lo, o.hi));
+        }
+        for (uint j = 0u; anyFlat && j < node.count; j++) {  // seldom
+            PrimRef o = refs.at[node.first + j];
+            uvec3 isFlat = uvec3(equal(o.lo, o.hi));
+            loPlanar += isFlat * uvec3(equal(o.lo, r.lo));
             hiPlanar += isFlat * uvec3(equal(o.lo, r.hi));
         }
         for (uint axis = 0u; axis < 3u; axis++) {

@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lib/build.glsl"
 
-layout(local_size_x = kGroup) in;
+layout(local_size_x_id = 0) in;
 
 shared NearestFaces faces;
 
@@ -19,7 +19,7 @@ void main() {
     barrier();
     NearestFaces mine = noFaces();
     PrimRefArray refs = refsIn();
-    for (uint k = i; k < chunk.count; k += kGroup) {
+    for (uint k = i; k < chunk.count; k += gl_WorkGroupSize.x) {
         PrimRef r = refs.at[chunk.first + k];
         mine = including(mine, r.lo[axis], r.hi[axis], node.split.position);
     }

@@ -1,13 +1,12 @@
 #version 460
 // How many left and right references lie before each reference of the level. A workgroup per block; an invocation
-// adds up kScanRun consecutive ones.
+// adds up a run of consecutive ones.
 #extension GL_GOOGLE_include_directive : require
 #include "lib/build.glsl"
 
-const uint kRuns = kBlock / kScanRun;
-layout(local_size_x = kRuns) in;
+layout(local_size_x_id = 0) in;
 
-shared uvec2 runs[kRuns];
+shared uvec2 runs[64];  // one per invocation
 
 uvec2 countsOf(uint side) { return uvec2(side & kLeft, (side & kRight) >> 1); }
 
@@ -16,8 +15,9 @@ void main() {
     uint refCount = thisLevel.refCount;
     if (block >= ceilDiv(refCount, kBlock)) return;
     uint i = gl_LocalInvocationID.x;
-    uint from = block * kBlock + i * kScanRun;
-    uint to = min(from + kScanRun, refCount);
+    uint run = kBlock / gl_WorkGroupSize.x;
+    uint from = block * kBlock + i * run;
+    uint to = min(from + run, refCount);
     uvec2 sum = uvec2(0u);
     for (uint k = from; k < to; k++) sum += countsOf(args.sides.at[k]);
     runs[i] = sum;

@@ -16,17 +16,17 @@ CLEAVE_CONST uint kMaxDepth = 63u;
 // Bins per axis of min-max binning (Shevtsov et al. 2007, section 4.1).
 CLEAVE_CONST uint kBins = 32u;
 
-// A node with at most so many references is split by exact SAH, by one workgroup, instead of by binning.
-CLEAVE_CONST uint kExactBelow = 32u;
+// A node with at most so many references is split by exact SAH, by one workgroup, instead of by binning. The survey says
+// 32, the number of bins; on scans, whose vertices lie on a grid, the planes that cut nothing are seen by exact SAH only
+// (docs/decisions.md).
+CLEAVE_CONST uint kExactBelow = 160u;
+CLEAVE_CONST uint kMostExactBelow = 1024u;  // the work grows with its square
 
 // References that one workgroup of `bounds` and `bin` reads: a large node is cut into chunks of this size.
 CLEAVE_CONST uint kChunk = 1024u;
 
 // References (or nodes) of one block of a scan: its sum is one entry of the block sums.
 CLEAVE_CONST uint kBlock = 256u;
-
-// Consecutive elements that one invocation of a scan adds up by itself: barriers are dear on CPU devices.
-CLEAVE_CONST uint kScanRun = 8u;
 
 // Invocations per workgroup of the passes that treat elements one by one.
 CLEAVE_CONST uint kGroup = 64u;

@@ -149,7 +149,7 @@ TEST(Options, BadValues) {
         expectRefused({"render", "--check", count}, "whole number");
     expectRefused({"render", "--bins", "1"}, "from 2 to 32");
     expectRefused({"render", "--bins", "33"}, "from 2 to 32");
-    expectRefused({"render", "--exact-below", "33"}, "from 0 to 32");
+    expectRefused({"render", "--exact-below", "1025"}, "from 0 to 1024");
     expectRefused({"render", "--max-depth", "64"}, "from 1 to 63");
     expectRefused({"render", "--threads", "0"}, "from 1 to");
     expectRefused({"bench", "a.glb", "--runs", "0"}, "from 1 to");
