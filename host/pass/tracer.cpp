@@ -1,6 +1,8 @@
 #include "tracer.h"
 
 #include <algorithm>
+#include <chrono>
+#include <set>
 
 #include "device_arrays.h"
 #include "gpu/recorder.h"
@@ -27,6 +29,18 @@ struct Tracer::Impl {
     Buffer counters;
     Buffer rays, hits, steps;  // kept from call to call
 
+    std::set<const Kernel*> compiled;
+
+    // CPU devices compile at the first dispatch: one without rays, so that a query's time is the query's.
+    void warmUp(const Kernel& kernel) {
+        if (!compiled.insert(&kernel).second) return;
+        const auto start = std::chrono::steady_clock::now();
+        Recorder recorder(context);
+        recorder.dispatch(kernel, TracePush{}, 1);
+        recorder.submit();
+        context.setupMs += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    }
+
     void reserve(Buffer& buffer, size_t bytes) {
         if (buffer.size() >= bytes) return;
         buffer = Buffer();
@@ -41,6 +55,7 @@ Tracer::Result Tracer::trace(const DeviceTree& tree, std::span<const Ray> rays, 
     Impl& d = *impl_;
     const Kernel& kernel =
         query == Query::any ? (countSteps ? d.anyCounted : d.any) : (countSteps ? d.closestCounted : d.closest);
+    d.warmUp(kernel);
     Result result;
     result.hits.resize(rays.size());
     if (countSteps) result.steps.resize(rays.size());

@@ -16,9 +16,9 @@ CLEAVE_CONST uint kMaxDepth = 63u;
 // Bins per axis of min-max binning (Shevtsov et al. 2007, section 4.1).
 CLEAVE_CONST uint kBins = 32u;
 
-// A node with at most so many references is split by exact SAH, by one workgroup, instead of by binning. The survey says
-// 32, the number of bins; on scans, whose vertices lie on a grid, the planes that cut nothing are seen by exact SAH only
-// (docs/decisions.md).
+// A node with at most so many references is split by exact SAH, by one workgroup, instead of by binning. The survey
+// says 32, the number of bins; on scans, whose vertices lie on a grid, the planes that cut nothing are seen by exact
+// SAH only (docs/decisions.md).
 CLEAVE_CONST uint kExactBelow = 160u;
 CLEAVE_CONST uint kMostExactBelow = 1024u;  // the work grows with its square
 
