@@ -130,6 +130,8 @@ void addBuild(CLI::App& app, Options& options, bool several) {
         app, "--memory", "SIZE", "bytes that a build may use, for example 512M or 2G", parseBytes,
         [&settings](uint64_t bytes) { settings.memory = bytes; }, "a size, for example 512M or 2G");
     addWhole(app, "--bins", "bins per axis (" + std::to_string(kBins) + ")", settings.bins, 2, kBins);
+    addNamed(app, "--subsample", "bin every l-th reference of large nodes, l = max(1, floor(log10 n))",
+             settings.subsample, kSwitch);
     addWhole(app, "--exact-below", "exact SAH at so many references and below (" + std::to_string(kExactBelow) + ")",
              settings.exactBelow, 0, kMostExactBelow);
     addWhole(app, "--max-depth", "deepest leaf (by the number of triangles)", settings.maxDepth, 1, kMaxDepth);

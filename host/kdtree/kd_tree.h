@@ -30,6 +30,7 @@ struct BuildSettings {
     AxisChoice axes = AxisChoice::cycle;  // of median builders
     uint32_t leafSize = 4;                // median builders stop at so many references
     bool clip = true;                     // clip straddling triangles to the children's cells
+    bool subsample = true;                // binning looks at every l-th reference, l = max(1, floor(log10 n))
     uint64_t memory = 0;                  // bytes that a build may use; 0: no limit but the machine's
     uint32_t threads = 2;                 // of CPU builders that use several
 };

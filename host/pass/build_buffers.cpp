@@ -57,6 +57,7 @@ void BuildBuffers::bind(const DeviceTriangles& triangles, const BuildSettings& s
     a.exactBelow = exactBelow;
     a.maxDepth = depthLimit(settings, triangles.includedCount);
     a.clip = settings.clip ? 1 : 0;
+    a.subsample = settings.subsample ? 1 : 0;
     a.invBinCount = inverseBinCount(settings.bins);
     args.write(0, &a, sizeof(a));
 }

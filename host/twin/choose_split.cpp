@@ -5,6 +5,7 @@ namespace cleave::twin {
 namespace {
 
 Split bestBoundary(const BuildArrays& a, const BuildNode& node) {
+    const uint32_t step = sampleStep(node.count, a.settings.subsample);
     Split best = noSplit();
     for (uint32_t axis = 0; axis < 3; axis++) {
         const BinRange range = rangeOf(a, node.chunk, axis);
@@ -18,7 +19,8 @@ Split bestBoundary(const BuildArrays& a, const BuildNode& node) {
             uint32_t right = 0;
             for (uint32_t k = 0; k < b; k++) left += starts[k];
             for (uint32_t k = b; k < range.count; k++) right += ends[k];
-            best = betterOf(best, node.cell, axis, binPlane(range, b), left, right, 1);
+            best = betterOf(best, node.cell, axis, binPlane(range, b), estimatedCount(left, step, node.count),
+                            estimatedCount(right, step, node.count), 1);
         }
     }
     return best;

@@ -11,13 +11,16 @@ void main() {
     if (c >= thisLevel.chunkCount) return;
     uint i = gl_LocalInvocationID.x;
     Chunk chunk = args.chunks.at[c];
-    uint slot = nodesIn().at[chunk.node].chunk;
+    BuildNode node = nodesIn().at[chunk.node];
+    uint slot = node.chunk;
+    uint step = sampleStep(node.count, args.subsample != 0u);
+    uint first = (step - (chunk.first - node.first) % step) % step;  // every step-th of the node, not of the chunk
     for (uint k = i; k < kBinWords; k += gl_WorkGroupSize.x) counters[k] = 0u;
     BinRange ranges[3];
     for (uint axis = 0u; axis < 3u; axis++) ranges[axis] = rangeOf(slot, axis);
     barrier();
     PrimRefArray refs = refsIn();
-    for (uint k = i; k < chunk.count; k += gl_WorkGroupSize.x) {
+    for (uint k = first + i * step; k < chunk.count; k += gl_WorkGroupSize.x * step) {
         PrimRef r = refs.at[chunk.first + k];
         for (uint axis = 0u; axis < 3u; axis++) {
             uint base = 2u * axis * kBins;

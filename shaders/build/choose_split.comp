@@ -12,6 +12,7 @@ void main() {
     BuildNodeArray nodes = nodesIn();
     BuildNode node = nodes.at[n];
     if (node.chunk != c) return;
+    uint step = sampleStep(node.count, args.subsample != 0u);
     Split best = noSplit();
     for (uint axis = 0u; axis < 3u; axis++) {
         BinRange range = rangeOf(c, axis);
@@ -21,11 +22,12 @@ void main() {
         best = betterOf(best, node.cell, axis, range.hi, node.count, 0u, 1u);
         if (!isResolved(range)) continue;
         uint left = 0u;
-        uint right = node.count;
+        uint right = ceilDiv(node.count, step);
         for (uint b = 1u; b < range.count; b++) {
             left += args.bins.at[counters + b - 1u];
             right -= args.bins.at[counters + kBins + b - 1u];
-            best = betterOf(best, node.cell, axis, binPlane(range, b), left, right, 1u);
+            best = betterOf(best, node.cell, axis, binPlane(range, b), estimatedCount(left, step, node.count),
+                            estimatedCount(right, step, node.count), 1u);
         }
     }
     nodes.at[n].split = best;

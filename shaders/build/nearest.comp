@@ -27,12 +27,14 @@ void main() {
     atomicMin(faces.above, mine.above);
     atomicAdd(faces.left, mine.left);
     atomicAdd(faces.rightBelow, mine.rightBelow);
-    atomicAdd(faces.rightAbove, mine.rightAbove);
+    atomicAdd(faces.right, mine.right);
+    atomicAdd(faces.planar, mine.planar);
     barrier();
     if (i != 0u) return;
     atomicMax(args.nearest.at[node.chunk].below, faces.below);
     atomicMin(args.nearest.at[node.chunk].above, faces.above);
     atomicAdd(args.nearest.at[node.chunk].left, faces.left);
     atomicAdd(args.nearest.at[node.chunk].rightBelow, faces.rightBelow);
-    atomicAdd(args.nearest.at[node.chunk].rightAbove, faces.rightAbove);
+    atomicAdd(args.nearest.at[node.chunk].right, faces.right);
+    atomicAdd(args.nearest.at[node.chunk].planar, faces.planar);
 }

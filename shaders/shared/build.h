@@ -49,6 +49,24 @@ CLEAVE_CONST uint kBoundsWords = 6u;
 // And its counters: for each axis kBins starts, then kBins ends.
 CLEAVE_CONST uint kBinWords = 6u * kBins;
 
+// With subsampling a node's bins count every l-th of its references only, l = max(1, floor(log10 n)) (Shevtsov et al.
+// 2007, section 4.1). A table: logarithms differ between devices.
+CLEAVE_FN uint sampleStep(uint n, bool subsample) {
+    uint step = 1u;
+    uint next = 100u;  // the least number with a larger logarithm
+    while (subsample && step < 9u && n >= next) {
+        step++;
+        if (step < 9u) next *= 10u;
+    }
+    return step;
+}
+
+// Estimates a count on one side of a bin boundary from a sampled one. Never 0: that a side is empty, which costs less,
+// is known of the ends of the bins only.
+CLEAVE_FN uint estimatedCount(uint sampled, uint step, uint n) {
+    return step == 1u ? sampled : min(max(sampled * step, 1u), n);
+}
+
 // Between two faces of boxes the counts on either side of a plane are constant and the cost is affine (survey, section
 // 4), so moving a boundary of bins to the nearest face on one side or the other never costs more, unless that face is
 // the cell's own. Kept per chunk, used in the first chunk of a node: the faces next to the node's split, and the counts
@@ -56,11 +74,12 @@ CLEAVE_CONST uint kBinWords = 6u * kBins;
 struct NearestFaces {
     uint below;       // ordered bits of the last face before the plane; 0 if there is none
     uint above;       // of the first one at or behind it
-    uint left;        // references that begin before the plane: left of either face
+    uint left;        // references that begin before the plane: left of it and of either face
     uint rightBelow;  // those right of the face below: they end at or behind the plane
-    uint rightAbove;  // right of the face above: they end behind the plane, or lie in it
+    uint right;       // those that end behind the plane
+    uint planar;      // those that lie in it
 };
-CLEAVE_SIZE(NearestFaces, 20);
+CLEAVE_SIZE(NearestFaces, 24);
 
 CLEAVE_FN NearestFaces noFaces() {
     NearestFaces f;
@@ -68,7 +87,8 @@ CLEAVE_FN NearestFaces noFaces() {
     f.above = 0xFFFFFFFFu;
     f.left = 0u;
     f.rightBelow = 0u;
-    f.rightAbove = 0u;
+    f.right = 0u;
+    f.planar = 0u;
     return f;
 }
 
@@ -84,16 +104,17 @@ CLEAVE_FN NearestFaces including(NearestFaces f, float lo, float hi, float plane
         f.above = min(f.above, orderedBits(hi));
     f.left += lo < plane ? 1u : 0u;
     f.rightBelow += hi >= plane ? 1u : 0u;
-    f.rightAbove += hi > plane || lo == plane ? 1u : 0u;
+    f.right += hi > plane ? 1u : 0u;
+    f.planar += lo == plane && hi == plane ? 1u : 0u;
     return f;
 }
 
-// The split, or the better one at a face next to it.
+// The best of a split and of those at the faces next to it, all with true counts: those of bins may be estimates.
 CLEAVE_FN Split snapped(Split s, Box cell, NearestFaces f) {
-    Split best = s;
+    Split best = betterOfBothSides(noSplit(), cell, s.axis, s.position, f.left, f.right, f.planar);
     if (f.below != 0u) best = betterOf(best, cell, s.axis, fromOrderedBits(f.below), f.left, f.rightBelow, 1u);
     if (f.above != 0xFFFFFFFFu) {
-        best = betterOf(best, cell, s.axis, fromOrderedBits(f.above), f.left, f.rightAbove, 0u);
+        best = betterOf(best, cell, s.axis, fromOrderedBits(f.above), f.left, f.right + f.planar, 0u);
     }
     return best;
 }
@@ -169,10 +190,11 @@ struct BuildArgs {
     uint binCount;  // bins per axis, 2 to kBins
     uint exactBelow;
     uint maxDepth;
-    uint clip;  // 0: boxes of straddling references are cut, not clipped
+    uint clip;       // 0: boxes of straddling references are cut, not clipped
+    uint subsample;  // 1: large nodes are binned by a part of their references
     float invBinCount;
 };
-CLEAVE_SIZE(BuildArgs, 216);
+CLEAVE_SIZE(BuildArgs, 224);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) buffer BuildArgsRef { BuildArgs at; };

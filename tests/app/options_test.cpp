@@ -41,6 +41,7 @@ TEST(Options, Defaults) {
     EXPECT_EQ(o.settings.threads, 2u);
     EXPECT_EQ(o.settings.memory, 0u);
     EXPECT_TRUE(o.settings.clip);
+    EXPECT_TRUE(o.settings.subsample);
     EXPECT_FALSE(o.json || o.eye || o.look || o.fov || o.quiet);
     EXPECT_EQ(o.check, 0u);
 }
@@ -51,7 +52,8 @@ TEST(Options, RenderTakesThemAll) {
                "--eye",   "-1,2e0,-.5",    "--look", "0,0,0",       "--fov",   "30",        "--view",   "leaves",
                "--check", "100",           "--json", "c.json",      "--quiet", "--builder", "exact",    "--traversal",
                "restart", "--device",      "llvm",   "--threads",   "3",       "--memory",  "512M",     "--bins",
-               "16",      "--exact-below", "8",      "--max-depth", "20",      "--clip",    "off"});
+               "16",      "--exact-below", "8",      "--max-depth", "20",      "--clip",    "off",      "--subsample",
+               "off"});
     EXPECT_EQ(o.scenes.front(), "a.glb");
     EXPECT_EQ(o.output, "b.png");
     EXPECT_EQ(o.width, 64u);
@@ -72,6 +74,7 @@ TEST(Options, RenderTakesThemAll) {
     EXPECT_EQ(o.settings.exactBelow, 8u);
     EXPECT_EQ(o.settings.maxDepth, 20u);
     EXPECT_FALSE(o.settings.clip);
+    EXPECT_FALSE(o.settings.subsample);
 }
 
 TEST(Options, OtherCommands) {

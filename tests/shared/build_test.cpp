@@ -159,6 +159,26 @@ float costAt(const std::vector<Interval>& refs, float plane, uint planarLeft) {
     return splitCost(kCell, 0u, plane, left, right);
 }
 
+// floor(log10 n), but 1 where that is 0; by hand at the thresholds.
+TEST(Build, sampleStepIsTheLogarithm) {
+    const std::pair<uint, uint> byHand[] = {{0, 1},        {1, 1},         {9, 1},          {10, 1},
+                                            {99, 1},       {100, 2},       {999, 2},        {1000, 3},
+                                            {9999, 3},     {10000, 4},     {99999, 4},      {100000, 5},
+                                            {12700000, 7}, {999999999, 8}, {1000000000, 9}, {4294967295u, 9}};
+    for (const auto& [n, step] : byHand) {
+        EXPECT_EQ(sampleStep(n, true), step) << n;
+        EXPECT_EQ(sampleStep(n, false), 1u) << n;
+    }
+}
+
+TEST(Build, estimatesAreNeverEmptyNorTooMany) {
+    EXPECT_EQ(estimatedCount(0u, 1u, 50u), 0u) << "without subsampling counts are true";
+    EXPECT_EQ(estimatedCount(17u, 1u, 50u), 17u);
+    EXPECT_EQ(estimatedCount(0u, 3u, 1000u), 1u);
+    EXPECT_EQ(estimatedCount(100u, 3u, 1000u), 300u);
+    EXPECT_EQ(estimatedCount(334u, 3u, 1000u), 1000u);
+}
+
 // On a grid of quarters all costs are exact but for the bonus. No plane between the two faces next to the first split
 // is better than the snapped one, unless a face lies in the cell's own and so is no candidate.
 TEST(Build, snappingNeverCostsMore) {

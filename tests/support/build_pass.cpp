@@ -134,6 +134,7 @@ void expectPassEqualsTwin(const std::string& name, uint32_t triangleCount, uint3
     const TriangleSet set = mixedSet(triangleCount, seed);
     BuildSettings settings;
     settings.clip = seed % 4 != 3;
+    settings.subsample = seed % 3 != 0;
     settings.bins = seed % 3 == 2 ? 13 : kBins;
     settings.exactBelow = seed % 5 == 4 ? 7 : seed % 2 == 1 ? 32 : kExactBelow;
     BuildPair pair(set, settings);
