@@ -129,7 +129,7 @@ TEST(Options, WrongUseNamesWhatThereIs) {
 }
 
 TEST(Options, OptionsOfLaterAreNotTakenYet) {
-    for (const char* option : {"--spp", "--time", "--frames", "--subsample", "--aperture"}) {
+    for (const char* option : {"--spp", "--time", "--frames", "--aperture"}) {
         expectRefused({"render", option, "4"}, option);
         expectRefused({"render", option, "4"}, "--size");
     }
