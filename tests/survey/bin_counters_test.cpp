@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "kdtree/support_scenes.h"
 #include "shared/build.h"
@@ -95,35 +96,43 @@ TEST(BinCounters, EqualCountingIntervals) {
     }
 }
 
-// The pass of the builds, over the boxes of triangles: `bounds` gives the range, `bin` counts, chunk by chunk.
+// The pass of the builds, over the boxes of triangles: `bounds` gives the range, `bin` counts, chunk by chunk, every
+// triangle or every l-th one.
+void expectPassCounts(const TriangleSet& set, uint32_t bins, bool subsample) {
+    BuildSettings settings;
+    settings.bins = bins;
+    settings.subsample = subsample;
+    BuildArrays arrays = makeArrays(set, settings, firstCapacity(set.included.size()));
+    twin::makeRefs(arrays);
+    twin::begin(arrays);
+    twin::bounds(arrays, 0);
+    twin::bin(arrays, 0);
+    const auto step = subsample ? static_cast<size_t>(std::log10(set.included.size())) : size_t{1};
+    for (uint32_t axis = 0; axis < 3; ++axis) {
+        const int a = static_cast<int>(axis);
+        std::vector<Interval> counted;
+        for (size_t i = 0; i < set.included.size(); i += step) {
+            const Triangle& t = set.triangles[set.included[i]];
+            counted.push_back({std::min({t.a[a], t.b[a], t.c[a]}), std::max({t.a[a], t.b[a], t.c[a]})});
+        }
+        const BinRange range = twin::rangeOf(arrays, arrays.nodes[0][0].chunk, axis);
+        ASSERT_EQ(range.count, bins);
+        ASSERT_EQ(range.lo, set.bounds.lo[a]);
+        ASSERT_EQ(range.hi, set.bounds.hi[a]);
+        const uint32_t* starts = &arrays.bins[2 * axis * kBins];
+        expectCounts(counted, range, starts, starts + kBins);
+    }
+}
+
 TEST(BinCounters, OfThePassEqualCountingTriangles) {
-    for (uint32_t bins = 2; bins <= 32; ++bins) {
-        SCOPED_TRACE(bins);
-        const auto triangles = bins % 2 == 0 ? test::soup(bins, 2500, 0.2f) : test::integerSoup(bins, 2500, 2 + bins);
-        const TriangleSet set = makeTriangleSet(triangles);
-        BuildSettings settings;
-        settings.bins = bins;
-        BuildArrays arrays = makeArrays(set, settings, firstCapacity(set.included.size()));
-        twin::makeRefs(arrays);
-        twin::begin(arrays);
-        twin::bounds(arrays, 0);
-        twin::bin(arrays, 0);
-        for (uint32_t axis = 0; axis < 3; ++axis) {
-            const int a = static_cast<int>(axis);
-            std::vector<Interval> all;
-            for (const uint32_t i : set.included) {
-                const Triangle& t = set.triangles[i];
-                all.push_back({std::min({t.a[a], t.b[a], t.c[a]}), std::max({t.a[a], t.b[a], t.c[a]})});
-            }
-            const BinRange range = twin::rangeOf(arrays, arrays.nodes[0][0].chunk, axis);
-            ASSERT_EQ(range.count, bins);
-            ASSERT_EQ(range.lo, set.bounds.lo[a]);
-            ASSERT_EQ(range.hi, set.bounds.hi[a]);
-            const uint32_t* starts = &arrays.bins[2 * axis * kBins];
-            expectCounts(all, range, starts, starts + kBins);
+    for (uint32_t bins = 2; bins <= 32; ++bins)
+        for (const bool subsample : {false, true}) {
+            SCOPED_TRACE(testing::Message() << bins << " bins, subsampling " << subsample);
+            const auto triangles =
+                bins % 2 == 0 ? test::soup(bins, 2500, 0.2f) : test::integerSoup(bins, 2500, 2 + bins);
+            expectPassCounts(makeTriangleSet(triangles), bins, subsample);
             if (HasFatalFailure()) return;
         }
-    }
 }
 
 }  // namespace
