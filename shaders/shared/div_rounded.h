@@ -48,7 +48,12 @@ CLEAVE_FN float correctedQuotient(float a, float b, float quotient) {
     return abs(rn) < abs(r) ? neighbour : q;
 }
 
-CLEAVE_FN float divRounded(float a, float b) { return correctedQuotient(a, b, a / b); }
+CLEAVE_FN float divRounded(float a, float b) {
+#ifdef __cplusplus
+    if (a > 0x1p-78f) return a / b;  // IEEE division, which the correction would only confirm
+#endif
+    return correctedQuotient(a, b, a / b);
+}
 
 CLEAVE_END
 #endif
