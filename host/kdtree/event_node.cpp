@@ -35,13 +35,10 @@ Side emptySide(EventBuild& build, const EventNode& parent, const Box& cell) {
     return side;
 }
 
-void addPart(const EventBuild& build, Side& side, ClippedRef ref) {
-    const Box& cell = side.node.cell;
-    ref.box = build.clip ? intersection(ref.box, clippedBox(build.set.triangles[ref.prim], cell))
-                         : intersection(ref.box, cell);
-    if (isEmpty(ref.box)) return;
+void addPart(Side& side, const Box& part, uint32_t prim) {
+    if (isEmpty(part)) return;
     side.parts[side.partCount++] = side.node.count;
-    side.add(ref);
+    side.add({part, prim});
 }
 
 // Step 1: which side each reference goes to, and the parts of those that straddle.
@@ -59,8 +56,9 @@ CountedArray<uint32_t> classify(EventBuild& build, const EventNode& node, const 
             right.add(ref);
         } else {
             targets[i] = kToNone;
-            addPart(build, left, ref);
-            addPart(build, right, ref);
+            const SplitBoxes parts = splitReference(build.set, ref, split, build.clip);
+            addPart(left, parts.left, ref.prim);
+            addPart(right, parts.right, ref.prim);
         }
     }
     return targets;
@@ -132,10 +130,7 @@ EventNode rootNode(EventBuild& build, BuildReport& report) {
     root.cell = build.set.bounds;
     root.count = static_cast<uint32_t>(included.size());
     root.refs = CountedArray<ClippedRef>(included.size(), build.bytes);
-    for (size_t i = 0; i < included.size(); ++i) {
-        const Triangle& t = build.set.triangles[included[i]];
-        root.refs[i] = {including(including(including(emptyBox(), t.a), t.b), t.c), included[i]};
-    }
+    for (size_t i = 0; i < included.size(); ++i) root.refs[i] = wholeTriangle(build.set, included[i]);
     root.events = CountedArray<Event>(3 * roomAlongAxis(root), build.bytes);
     forEachAxis(build, root.count, [&](int axis) {
         Event* const begin = root.events.data() + static_cast<size_t>(axis) * roomAlongAxis(root);

@@ -5,9 +5,9 @@
 #include <span>
 
 #include "kdtree/builders.h"
+#include "kdtree/clipped_ref.h"
 #include "kdtree/counted_array.h"
 #include "kdtree/events.h"
-#include "kdtree/top_down.h"
 
 namespace cleave {
 

@@ -40,4 +40,9 @@ void beginLeaf(KdTree& tree, uint32_t at, size_t count) {
     tree.nodes[at] = leafNode(static_cast<uint32_t>(tree.leafTriangles.size()), static_cast<uint32_t>(count));
 }
 
+uint64_t growthBytes(const KdTree& tree) {
+    const uint64_t held = tree.nodes.capacity() * sizeof(KdNode) + tree.leafTriangles.capacity() * sizeof(uint32_t);
+    return held + held / 2;
+}
+
 }  // namespace cleave

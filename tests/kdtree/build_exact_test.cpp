@@ -3,8 +3,6 @@
 #include <algorithm>
 
 #include "kdtree/builders.h"
-#include "kdtree/clip_box.h"
-#include "kdtree/separation.h"
 #include "kdtree/statistics.h"
 #include "kdtree/support_scenes.h"
 #include "kdtree/validate.h"
@@ -81,53 +79,6 @@ TEST(BuildExact, OfNothingIsAnEmptyLeaf) {
         EXPECT_EQ(leafCount(tree.nodes[0]), 0u);
         EXPECT_TRUE(isEmpty(tree.bounds));
         EXPECT_TRUE(validate(tree, set, 0).ok());
-    }
-}
-
-TEST(ClipBox, WorkedByHand) {
-    const Triangle t{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-    const Box box = clippedBox(t, {{0.5f, -1, -1}, {2, 2, 1}});
-    EXPECT_EQ(box.lo, vec3(0.5f, 0.0f, 0.0f));
-    EXPECT_EQ(box.hi.x, 1.0f);
-    EXPECT_GE(box.hi.y, 0.5f);
-    EXPECT_LE(box.hi.y, 0.5000001f);
-    EXPECT_EQ(box.hi.z, 0.0f);
-    EXPECT_TRUE(isEmpty(clippedBox(t, {{0.6f, 0.6f, -1}, {1, 1, 1}})));
-    EXPECT_FALSE(isEmpty(clippedBox(t, {{0.5f, 0.5f, -1}, {1, 1, 1}}))) << "it touches the cell's corner";
-    EXPECT_TRUE(isEmpty(clippedBox(t, {{0, 0, 1}, {1, 1, 2}})));
-}
-
-// Of Sponza: seen from x = 0.5, the part behind z = c.z is thinner than a place of double, and still not flat.
-TEST(ClipBox, KeepsSliversThatAreThinnerThanAPlaceOfDouble) {
-    const Triangle t{{0.506788731f, 0.217290968f, 0.0290699378f},
-                     {0.506788731f, 0.150728464f, 0.0290699694f},
-                     {0.506813765f, 0.150728494f, 0.070840314f}};
-    const Box cell{{0.506163776f, 0.150728464f, 0.0287965313f}, {0.506813765f, 0.150728479f, 0.0290699694f}};
-    Box beyond = cell;
-    beyond.lo.x = t.a.x;
-    EXPECT_TRUE(meets(t, beyond, Contact::interior));
-    EXPECT_GT(clippedBox(t, cell).hi.x, t.a.x);
-}
-
-// Random barycentric points that lie in the cell must lie in the box, even those far from the origin.
-TEST(ClipBox, HoldsEveryPointOfTheTriangleInTheCell) {
-    for (uint32_t seed = 0; seed < 300; ++seed) {
-        SCOPED_TRACE(seed);
-        test::Random random(seed);
-        const float offset = seed % 3 == 0 ? 0.0f : 0.75f, size = seed % 2 == 0 ? 0.2f : 2e-5f;
-        const Triangle t = test::transformed(test::soup(seed, 1, 1.0f), size, vec3(offset))[0];
-        const vec3 p = random.point(0.0f, 1.0f) * size + offset, q = random.point(0.0f, 1.0f) * size + offset;
-        const Box cell{{std::min(p.x, q.x), std::min(p.y, q.y), std::min(p.z, q.z)},
-                       {std::max(p.x, q.x), std::max(p.y, q.y), std::max(p.z, q.z)}};
-        const Box box = clippedBox(t, cell);
-        for (int i = 0; i < 500; ++i) {
-            double u = random.unit(), v = random.unit();
-            if (u + v > 1.0) u = 1.0 - u, v = 1.0 - v;
-            const dvec3 x = (1.0 - u - v) * dvec3(t.a) + u * dvec3(t.b) + v * dvec3(t.c);
-            if (glm::any(glm::lessThan(x, dvec3(cell.lo))) || glm::any(glm::greaterThan(x, dvec3(cell.hi)))) continue;
-            EXPECT_TRUE(glm::all(glm::greaterThanEqual(x, dvec3(box.lo) - 1e-15)) &&
-                        glm::all(glm::lessThanEqual(x, dvec3(box.hi) + 1e-15)));
-        }
     }
 }
 

@@ -191,6 +191,19 @@ TEST(Clip, seesThatATriangleMissesACellThatItsBoxMeets) {
     EXPECT_TRUE(isEmpty(s.right));
 }
 
+// Of Sponza: seen from x = a.x, the part behind z = c.z is thinner than a place of double, and still not flat.
+TEST(Clip, keepsSliversThatAreThinnerThanAPlaceOfDouble) {
+    const Triangle t{{0.506788731f, 0.217290968f, 0.0290699378f},
+                     {0.506788731f, 0.150728464f, 0.0290699694f},
+                     {0.506813765f, 0.150728494f, 0.070840314f}};
+    const Box cell{{0.506788731f, 0.150728464f, 0.0290699378f}, {0.506813765f, 0.150728479f, 0.0290699694f}};
+    const float middle = nextFloat(0.0290699378f, true);
+    ASSERT_LT(middle, cell.hi.z);
+    const SplitBoxes s = splitBoxes(t, cell, 2u, middle);
+    EXPECT_FALSE(isEmpty(s.right));
+    EXPECT_GT(s.right.hi.x, t.a.x);
+}
+
 TEST(Clip, cutsAnEdgeAtThePlane) {
     EXPECT_EQ(cutEdge({1, 2, 3}, {5, 10, -1}, 0u, 2.0f), vec3(2, 4, 2));
     EXPECT_EQ(cutEdge({0, 0, 0}, {3, 1, 1}, 0u, 1.0f).x, 1.0f) << "set, not computed";
