@@ -3,9 +3,11 @@
 #include <bit>
 #include <cstring>
 #include <fstream>
+#include <istream>
 #include <string>
 
 #include "app/npy_header.h"
+#include "app/text.h"
 #include "error.h"
 
 namespace cleave {
@@ -22,18 +24,18 @@ constexpr uint64_t kMaxRays = 0xFFFFFFFFu;  // they are numbered by 32 bits
 constexpr size_t kHeaderAlignment = 64;     // of the data, as NumPy aligns it
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& why) {
-    throw Error("cannot read rays from " + file.string() + ": " + why +
-                "; write them with numpy.save as little-endian float32 of shape (N, 8)");
+    throw Error(oneLine("cannot read rays from " + file.string() + ": " + why +
+                        "; write them with numpy.save as little-endian float32 of shape (N, 8)"));
 }
 
 // Reads exactly so many bytes, or refuses the file as cut short.
-void readExactly(std::ifstream& in, const fs::path& file, void* to, uint64_t bytes) {
+void readExactly(std::istream& in, const fs::path& file, void* to, uint64_t bytes) {
     in.read(static_cast<char*>(to), static_cast<std::streamsize>(bytes));
     if (!in || static_cast<uint64_t>(in.gcount()) != bytes) refuse(file, "the file is cut short");
 }
 
 // Reads what comes before the header text; its length is 2 bytes in version 1, 4 bytes in versions 2 and 3.
-uint64_t readHeaderLength(std::ifstream& in, const fs::path& file) {
+uint64_t readHeaderLength(std::istream& in, const fs::path& file) {
     unsigned char prologue[kPrologue];
     readExactly(in, file, prologue, kPrologue);
     if (std::memcmp(prologue, kMagic.data(), kMagic.size()) != 0) refuse(file, "it does not begin as a .npy file");
@@ -48,7 +50,8 @@ uint64_t readHeaderLength(std::ifstream& in, const fs::path& file) {
 
 // How many rays the header announces.
 uint64_t rayCount(const NpyHeader& header, const fs::path& file) {
-    if (header.descr != "<f4") refuse(file, "its type is " + header.descr + ", not '<f4'");
+    constexpr size_t kShown = 40;  // the text is the file's own, and may be of any length
+    if (header.descr != "<f4") refuse(file, "its type is '" + header.descr.substr(0, kShown) + "', not '<f4'");
     if (header.fortranOrder) refuse(file, "it is in Fortran order");
     if (header.shape.size() != 2 || header.shape[1] != 8) refuse(file, "its shape is not (N, 8)");
     if (header.shape[0] > kMaxRays) refuse(file, "it announces more than " + std::to_string(kMaxRays) + " rays");
@@ -65,7 +68,10 @@ std::vector<Ray> readRays(const fs::path& file) {
     const uint64_t size = fs::file_size(file, error);
     std::ifstream in(file, std::ios::binary);
     if (error || !in) refuse(file, "it may not be opened");
+    return readRays(in, size, file);
+}
 
+std::vector<Ray> readRays(std::istream& in, uint64_t size, const fs::path& file) {
     const uint64_t length = readHeaderLength(in, file);
     const auto start = static_cast<uint64_t>(in.tellg());
     if (length > kMaxHeader || length > size - start) refuse(file, "its header is longer than the file or than 1 MiB");

@@ -3,7 +3,6 @@
 #include <bit>
 #include <cstring>
 #include <fstream>
-#include <span>
 
 #include "error.h"
 
@@ -108,10 +107,9 @@ std::vector<unsigned char> readBytes(const std::filesystem::path& path) {
     return bytes;
 }
 
-GltfFile readGltfFile(const std::filesystem::path& path) {
+GltfFile parseGltfFile(const std::filesystem::path& path, Bytes bytes) {
     GltfFile file;
     file.path = path;
-    const std::vector<unsigned char> bytes = readBytes(path);
     if (bytes.empty()) refuseGltf("the file is empty");
     if (bytes.size() >= 4 && word(bytes, 0) == kMagic)
         readGlb(bytes, file);

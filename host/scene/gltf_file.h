@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,8 @@ struct GltfFile {
 // The bytes of a regular file.
 std::vector<unsigned char> readBytes(const std::filesystem::path& path);
 
-// Tells .glb from .gltf by the first four bytes, as names may lie.
-GltfFile readGltfFile(const std::filesystem::path& path);
+// Tells .glb from .gltf by the first four bytes, as names may lie. `path` is where the bytes come from.
+GltfFile parseGltfFile(const std::filesystem::path& path, std::span<const unsigned char> bytes);
 
 // `text` fit for one line of output: control characters become spaces, and it is cut at a sensible length.
 std::string oneLine(const std::string& text);

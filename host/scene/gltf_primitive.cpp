@@ -8,8 +8,6 @@
 namespace cleave {
 namespace {
 
-constexpr size_t kMaxTriangles = size_t(1) << 26;  // 2.5 GB of triangles; a small file can ask for any number
-
 vec3 toWorldPosition(const glm::dmat4& m, const glm::dvec3& p) {
     const glm::dvec4 q = m[0] * p.x + m[1] * p.y + m[2] * p.z + m[3];
     return {float(q.x), float(q.y), float(q.z)};
@@ -73,7 +71,7 @@ void refuseCompressed(const tinygltf::Model& model, const tinygltf::Primitive& p
 }  // namespace
 
 void addPrimitive(const tinygltf::Model& model, const tinygltf::Primitive& primitive, const glm::dmat4& toWorld,
-                  const std::string& where, Scene& scene) {
+                  const std::string& where, size_t mostTriangles, Scene& scene) {
     refuseCompressed(model, primitive, where);
     if (!isReadable(model, primitive, where, scene)) return;
     const int mode = primitive.mode;
@@ -82,8 +80,8 @@ void addPrimitive(const tinygltf::Model& model, const tinygltf::Primitive& primi
     if (mode < TINYGLTF_MODE_TRIANGLES) return countLines(mode, indexCount, scene);
 
     const size_t count = triangleCount(mode, indexCount);
-    if (count > kMaxTriangles - scene.triangles.size())
-        refuseGltf("the scene has more than " + std::to_string(kMaxTriangles) + " triangles", "split it");
+    if (count > mostTriangles - scene.triangles.size())
+        refuseGltf("the scene has more than " + std::to_string(mostTriangles) + " triangles", "split it");
     if (const size_t surplus = surplusIndices(mode, indexCount); surplus > 0) {
         scene.leftOut["surplusIndices"] += surplus;
         scene.warnings.push_back(where + " has " + std::to_string(indexCount) + " indices: the last " +

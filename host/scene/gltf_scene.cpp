@@ -37,9 +37,13 @@ void warnOfPose(const tinygltf::Node& node, const tinygltf::Mesh& mesh, const st
         scene.warnings.push_back(where + " has EXT_mesh_gpu_instancing: it is shown once");
 }
 
-void addNode(const tinygltf::Model& model, const PlacedNode& placed, Scene& scene) {
+// Warnings repeat a node's name for each of its primitives, and a name may be as long as the file.
+constexpr size_t kLongestName = 100;
+
+void addNode(const tinygltf::Model& model, const PlacedNode& placed, size_t mostTriangles, Scene& scene) {
     const tinygltf::Node& node = model.nodes[size_t(placed.node)];
-    const std::string name = "node " + std::to_string(placed.node) + (node.name.empty() ? "" : " '" + node.name + "'");
+    const std::string name = "node " + std::to_string(placed.node) +
+                             (node.name.empty() ? "" : " '" + node.name.substr(0, kLongestName) + "'");
     if (node.camera >= 0) {
         const auto camera = placeCamera(model.cameras[size_t(node.camera)], node.name, placed.toWorld);
         if (camera)
@@ -51,7 +55,8 @@ void addNode(const tinygltf::Model& model, const PlacedNode& placed, Scene& scen
     const tinygltf::Mesh& mesh = model.meshes[size_t(node.mesh)];
     warnOfPose(node, mesh, name, scene);
     for (size_t p = 0; p < mesh.primitives.size(); ++p)
-        addPrimitive(model, mesh.primitives[p], placed.toWorld, name + ", primitive " + std::to_string(p), scene);
+        addPrimitive(model, mesh.primitives[p], placed.toWorld, name + ", primitive " + std::to_string(p),
+                     mostTriangles, scene);
 }
 
 void warnOfNonFinite(Scene& scene) {
@@ -64,39 +69,59 @@ void warnOfNonFinite(Scene& scene) {
                              std::to_string(first - scene.triangles.begin()));
 }
 
-// One line each, and not one for each of a thousand instances.
-void tidyWarnings(std::vector<std::string>& warnings) {
+// Not one for each of a thousand instances: gives how many it takes away.
+size_t trimWarnings(std::vector<std::string>& warnings) {
     constexpr size_t kMost = 20;
-    if (warnings.size() > kMost) {
-        const size_t more = warnings.size() - kMost;
-        warnings.resize(kMost);
-        warnings.push_back("and " + std::to_string(more) + " more warnings like these");
-    }
-    for (std::string& warning : warnings) warning = oneLine(warning);
+    const size_t surplus = warnings.size() - std::min(warnings.size(), kMost);
+    warnings.resize(warnings.size() - surplus);
+    return surplus;
 }
 
-Scene loadScene(const std::filesystem::path& path) {
+// What the nodes show. Warnings are trimmed after each node: all of them could be far larger than the file.
+void addNodes(const tinygltf::Model& model, size_t mostTriangles, Scene& scene) {
+    size_t trimmed = trimWarnings(scene.warnings);
+    for (const PlacedNode& placed : placeNodes(model)) {
+        addNode(model, placed, mostTriangles, scene);
+        trimmed += trimWarnings(scene.warnings);
+    }
+    for (std::string& warning : scene.warnings) warning = oneLine(warning);
+    if (trimmed > 0) scene.warnings.push_back("and " + std::to_string(trimmed) + " more warnings like these");
+}
+
+Scene sceneOf(GltfFile file, size_t mostTriangles) {
     Scene scene;
-    scene.name = path.string();
-    const tinygltf::Model model = loadModel(readGltfFile(path), scene.warnings);
+    scene.name = file.path.string();
+    const tinygltf::Model model = loadModel(std::move(file), scene.warnings);
     addMaterials(model, scene);
-    for (const PlacedNode& placed : placeNodes(model)) addNode(model, placed, scene);
-    tidyWarnings(scene.warnings);
+    addNodes(model, mostTriangles, scene);
     warnOfNonFinite(scene);
     return scene;
 }
 
-}  // namespace
-
-Scene loadGltf(const std::filesystem::path& file) {
+// Every failure of `load` becomes an Error of one line that names the file.
+template <typename Load>
+Scene naming(const std::filesystem::path& file, const Load& load) {
     const std::string failed = "cannot load '" + file.string() + "': ";
     try {
-        return loadScene(file);
+        return load();
     } catch (const std::bad_alloc&) {
         throw Error(oneLine(failed + "there is not enough memory; load a smaller scene"));
     } catch (const std::exception& e) {
         throw Error(oneLine(failed + e.what()));
     }
+}
+
+}  // namespace
+
+Scene loadGltf(const std::filesystem::path& file) {
+    return naming(file, [&] {
+        GltfFile parsed = parseGltfFile(file, readBytes(file));  // and the bytes are let go
+        return sceneOf(std::move(parsed), kMostTriangles);
+    });
+}
+
+Scene loadGltf(const std::filesystem::path& file, std::span<const unsigned char> bytes, size_t mostTriangles) {
+    return naming(file, [&] { return sceneOf(parseGltfFile(file, bytes), mostTriangles); });
 }
 
 }  // namespace cleave

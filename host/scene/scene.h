@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <glm/glm.hpp>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -42,5 +43,13 @@ struct Scene {
 // primitives in order, triangles in index order. Throws Error for what cannot be read or must not be trusted:
 // sizes, indices and URIs are checked before they are used.
 Scene loadGltf(const std::filesystem::path& file);
+
+// A small file can ask for any number of triangles, by instances. These take less than 2 GB while they are collected.
+constexpr size_t kMostTriangles = size_t(1) << 25;
+
+// The same from bytes in memory. `file` names them in messages, and its folder is where URIs lead. A scene of more than
+// `mostTriangles` is refused.
+Scene loadGltf(const std::filesystem::path& file, std::span<const unsigned char> bytes,
+               size_t mostTriangles = kMostTriangles);
 
 }  // namespace cleave

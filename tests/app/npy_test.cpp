@@ -83,6 +83,17 @@ TEST_F(Npy, RefusesOtherShapesAndTypes) {
     expectRefused(npy(headerOf("(3, 8)", "'<f4'", "0"), data), "fortran_order");
 }
 
+// Found by fuzzing: the type is the file's own text.
+TEST_F(Npy, RefusalsAreOneShortLineWhateverTheTypeSays) {
+    for (const std::string& descr :
+         {std::string("'<f4\r'"), std::string("'\x1b[2J'"), "'" + std::string(60000, 'f') + "'"}) {
+        const std::string text = refusal(npy(headerOf("(0, 8)", descr), ""));
+        EXPECT_NE(text.find("type"), std::string::npos) << text;
+        EXPECT_EQ(text.find_first_of("\r\n\x1b"), std::string::npos) << text;
+        EXPECT_LT(text.size(), 500u);
+    }
+}
+
 TEST_F(Npy, RefusesSizesThatDoNotFitTheFile) {
     const std::string data = bytesOf(someRays());
     expectRefused(npy(headerOf("(4, 8)"), data), "announces 4 rays");

@@ -194,6 +194,34 @@ TEST(GltfUri, leavesOutGeometryWhoseBufferIsNowhere) {
     EXPECT_EQ(scene.warnings.size(), 1u);
 }
 
+// Nodes times primitives, each with the node's name: far more text than the file, were it all kept.
+TEST(GltfRefusal, warningsStayFewAndShort) {
+    Document document = triangleDocument();
+    document.json["meshes"][0]["primitives"] = Json(50, Json{{"attributes", Json::object()}});
+    document.json["nodes"] = Json(40, Json{{"mesh", 0}, {"name", std::string(30000, 'n') + "\n"}});
+    document.json.erase("scenes");
+    document.json.erase("scene");
+    const Scene scene = load(document);
+    EXPECT_EQ(scene.leftOut.at("primitivesWithoutPosition"), 2000u);
+    ASSERT_EQ(scene.warnings.size(), 21u);
+    EXPECT_NE(scene.warnings.back().find("1980 more"), std::string::npos) << scene.warnings.back();
+    for (const std::string& warning : scene.warnings) {
+        EXPECT_LT(warning.size(), 300u);
+        EXPECT_EQ(warning.find('\n'), std::string::npos);
+    }
+}
+
+TEST(GltfRefusal, boundsTheTriangles) {
+    const std::string text = triangleDocument().text();
+    const std::vector<unsigned char> bytes(text.begin(), text.end());
+    EXPECT_EQ(loadGltf("scene.gltf", bytes, 1).triangles.size(), 1u);
+    EXPECT_THROW(loadGltf("scene.gltf", bytes, 0), Error);
+    // 300 bytes that ask for gigabytes: positions without a bufferView are zeros.
+    Document zeros;
+    zeros.addMesh(zeros.addAccessor(-1, 5126, 3 * (kMostTriangles + 1), "VEC3"));
+    EXPECT_NE(refusal(zeros).find("more than"), std::string::npos);
+}
+
 TEST(GltfRefusal, saysThatAFileIsMissing) {
     try {
         loadGltf("/no/such/scene.glb");
