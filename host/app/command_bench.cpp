@@ -29,23 +29,38 @@ void makeSecondaryRays(RaySets& sets, const Session& session, std::span<const Hi
     sets[2] = {shadowRays(points, bounds), Query::any};
 }
 
-// Proves a sample right, then times; the first trace, which warms up, is the one that is judged.
-SetFigures measure(Run& run, Session& session, const DeviceTree& tree, const RaySet& set, const std::string& name,
-                   std::vector<Hit>* hits) {
+// The share of triangle tests that were decided in double.
+double resolvedShare(std::span<const StepCount> steps) {
+    uint64_t tests = 0, resolved = 0;
+    for (const StepCount& s : steps) {
+        tests += s.triangles;
+        resolved += s.resolved;
+    }
+    return tests > 0 ? static_cast<double>(resolved) / static_cast<double>(tests) : 0.0;
+}
+
+// Proves a sample right, then times; the first trace, which warms up, is the one that is judged. The plain triangle
+// test is not right: how often it is wrong is a figure.
+SetFigures measure(Run& run, Session& session, const DeviceTree& tree, const RaySet& set, TraceMode mode,
+                   const std::string& name, std::vector<Hit>* hits) {
     SetFigures figures;
     figures.rays = set.rays.size();
     if (set.rays.empty()) return figures;
     run.progress.phase("tracing " + name + " rays");
-    Tracer::Result traced = run.device.tracer().trace(tree, set.rays, set.query);
+    Tracer& tracer = run.device.tracer();
+    Tracer::Result traced = tracer.trace(tree, set.rays, set.query, mode);
     figures.invalidRays = traced.invalidRays;
     figures.cappedRays = traced.cappedRays;
     figures.check =
         session.check(set.rays, traced.hits, set.query, run.options.check > 0 ? run.options.check : kCheckedRays);
-    requireAnswered(traced, figures.check, session.scene().name + ", " + name + " rays");
+    if (mode.test != TriangleTest::plain)
+        requireAnswered(traced, figures.check, session.scene().name + ", " + name + " rays");
+    if (run.options.triangleTests.size() > 1)
+        figures.resolvedShare =
+            resolvedShare(tracer.trace(tree, set.rays, set.query, {mode.traversal, mode.test, true}).steps);
     run.progress.phase("timing " + name + " rays");
     std::vector<double> times;
-    for (uint32_t i = 0; i < run.options.runs; ++i)
-        times.push_back(run.device.tracer().trace(tree, set.rays, set.query).ms);
+    for (uint32_t i = 0; i < run.options.runs; ++i) times.push_back(tracer.trace(tree, set.rays, set.query, mode).ms);
     figures.ms = medianOf(times);
     if (hits != nullptr) *hits = std::move(traced.hits);
     return figures;
@@ -55,31 +70,51 @@ BuilderFigures benchBuilder(Run& run, Session& session, Builder builder, RaySets
     BuilderFigures figures;
     figures.built = session.build(builder, run.options.runs);
     const DeviceTree& tree = session.upload(figures.built);
-    const bool first = sets[1].rays.empty();
-    std::vector<Hit> hits;
-    for (size_t i = 0; i < sets.size(); ++i) {
-        figures.sets[i] = measure(run, session, tree, sets[i], kRaySets[i], i == 0 ? &hits : nullptr);
-        if (i == 0 && first && !hits.empty()) makeSecondaryRays(sets, session, hits);
+    for (const Traversal traversal : run.options.traversals) {
+        for (const TriangleTest test : run.options.triangleTests) {
+            ModeFigures mode{traversal, test, {}};
+            const bool first = sets[1].rays.empty();
+            std::vector<Hit> hits;
+            for (size_t i = 0; i < sets.size(); ++i) {
+                mode.sets[i] = measure(run, session, tree, sets[i], {traversal, test, false}, kRaySets[i],
+                                       i == 0 ? &hits : nullptr);
+                if (i == 0 && first && !hits.empty()) makeSecondaryRays(sets, session, hits);
+            }
+            figures.modes.push_back(mode);
+        }
     }
     figures.built.tree = {};
     figures.built.onDevice.reset();
     return figures;
 }
 
-Json builderJson(const BuilderFigures& figures) {
+Json modeJson(const ModeFigures& mode) {
     Json sets = Json::object();
     CheckResult sum;
     for (size_t i = 0; i < kRaySets.size(); ++i) {
-        const SetFigures& set = figures.sets[i];
+        const SetFigures& set = mode.sets[i];
         Json& json = sets[kRaySets[i]];
-        json = traceJson(set.rays, set.ms, set.invalidRays, set.cappedRays);
+        json = traceJson(mode.traversal, mode.test, set.rays, set.ms, set.invalidRays, set.cappedRays);
         json["check"] = checkJson(set.check);
+        if (set.resolvedShare) json["resolvedShare"] = *set.resolvedShare;
         sum.rays += set.check.rays;
         sum.mismatches += set.check.mismatches;
         sum.undecided += set.check.undecided;
         sum.maxRelativeTError = std::max(sum.maxRelativeTError, set.check.maxRelativeTError);
     }
-    return {{"build", buildJson(figures.built)}, {"sets", sets}, {"check", checkJson(sum)}};
+    return {{"traversal", nameOf(mode.traversal)},
+            {"triangleTest", nameOf(mode.test)},
+            {"sets", sets},
+            {"check", checkJson(sum)}};
+}
+
+// The first mode's figures at the top; all of them in `modes` where there are several.
+Json builderJson(const BuilderFigures& figures) {
+    Json report{{"build", buildJson(figures.built)}};
+    report.update(modeJson(figures.modes.front()));
+    if (figures.modes.size() == 1) return report;
+    for (const ModeFigures& mode : figures.modes) report["modes"].push_back(modeJson(mode));
+    return report;
 }
 
 // The first builder's figures at the top; all of them in `builders` where there are several.

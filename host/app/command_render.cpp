@@ -29,8 +29,8 @@ void runRender(Run& run) {
     BuiltTree built = session.build(options.builders.front());
     const DeviceTree& tree = session.upload(built);
     run.progress.phase("rendering");
-    Picture picture =
-        run.device.renderer().render(tree, session.scene(), rays, options.width, options.height, options.view);
+    Picture picture = run.device.renderer().render(tree, session.scene(), rays, options.width, options.height,
+                                                   options.view, traceMode(options));
     if (options.view == View::steps || options.view == View::leaves) drawLegend(picture);
 
     // The picture is written also where the check fails, so that it can be looked at.
@@ -38,7 +38,8 @@ void runRender(Run& run) {
     const Tracer::Result& primary = picture.primary;
     Json report{{"scene", sceneJson(session)},
                 {"build", buildJson(built)},
-                {"trace", traceJson(rays.size(), primary.ms, primary.invalidRays, primary.cappedRays)},
+                {"trace", traceJson(options.traversals.front(), options.triangleTests.front(), rays.size(), primary.ms,
+                                    primary.invalidRays, primary.cappedRays)},
                 {"render", {{"ms", numberJson(picture.ms)}}}};
     CheckResult check;
     if (options.check > 0) {

@@ -15,13 +15,14 @@ void runTrace(Run& run) {
     BuiltTree built = session.build(options.builders.front());
     const DeviceTree& tree = session.upload(built);
     run.progress.phase("tracing");
-    const Tracer::Result traced = run.device.tracer().trace(tree, rays, options.query);
+    const Tracer::Result traced = run.device.tracer().trace(tree, rays, options.query, traceMode(options));
 
     // What was answered is written also where the check fails, so that it can be looked at.
     writeFile(options.output, npyOf(traced.hits));
     Json report{{"scene", sceneJson(session)},
                 {"build", buildJson(built)},
-                {"trace", traceJson(rays.size(), traced.ms, traced.invalidRays, traced.cappedRays)}};
+                {"trace", traceJson(options.traversals.front(), options.triangleTests.front(), rays.size(), traced.ms,
+                                    traced.invalidRays, traced.cappedRays)}};
     CheckResult check;
     if (options.check > 0) {
         check = session.check(rays, traced.hits, options.query, options.check);

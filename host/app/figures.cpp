@@ -39,6 +39,33 @@ Row treeRow(const BuiltTree& built, const TreeStatistics* exact, uint64_t includ
     return row;
 }
 
+// Over all sets, weighed by rays: about the same number of tests each.
+std::string resolvedText(const ModeFigures& mode) {
+    double sum = 0.0, rays = 0.0;
+    for (const SetFigures& set : mode.sets) {
+        if (!set.resolvedShare) continue;
+        sum += *set.resolvedShare * static_cast<double>(set.rays);
+        rays += static_cast<double>(set.rays);
+    }
+    return rays > 0.0 ? fixed(100.0 * sum / rays, 2) + " %" : "-";
+}
+
+Row rayRow(Builder builder, const ModeFigures& mode, bool modesDiffer) {
+    Row row{nameOf(builder)};
+    if (modesDiffer) row.insert(row.end(), {nameOf(mode.traversal), nameOf(mode.test)});
+    CheckResult sum;
+    for (const SetFigures& set : mode.sets) {
+        row.push_back(set.rays > 0 ? fixed(set.ms, 3) : "-");
+        row.push_back(fixed(mraysPerSecond(set.rays, set.ms), 3));
+        sum.rays += set.check.rays;
+        sum.mismatches += set.check.mismatches;
+        sum.undecided += set.check.undecided;
+    }
+    if (modesDiffer) row.push_back(resolvedText(mode));
+    row.insert(row.end(), {grouped(sum.rays), grouped(sum.mismatches), grouped(sum.undecided)});
+    return row;
+}
+
 }  // namespace
 
 std::string treeTable(const std::vector<BuilderFigures>& figures, uint64_t included) {
@@ -54,26 +81,17 @@ std::string treeTable(const std::vector<BuilderFigures>& figures, uint64_t inclu
 }
 
 std::string rayTable(const std::vector<BuilderFigures>& figures) {
-    std::vector<Row> rows{{"builder"}};
-    for (const char* name : kRaySets) {
-        rows.front().push_back(std::string(name) + " ms");
-        rows.front().emplace_back("Mrays/s");
-    }
-    rows.front().insert(rows.front().end(), {"checked", "undecided"});
-    for (const BuilderFigures& f : figures) {
-        Row row{nameOf(f.built.builder)};
-        uint64_t checked = 0;
-        uint64_t undecided = 0;
-        for (const SetFigures& set : f.sets) {
-            row.push_back(set.rays > 0 ? fixed(set.ms, 3) : "-");
-            row.push_back(fixed(mraysPerSecond(set.rays, set.ms), 3));
-            checked += set.check.rays;
-            undecided += set.check.undecided;
-        }
-        row.insert(row.end(), {grouped(checked), grouped(undecided)});
-        rows.push_back(row);
-    }
-    return alignedTable(rows, "l" + std::string(rows.front().size() - 1, 'r'));
+    bool modesDiffer = false;
+    for (const BuilderFigures& f : figures) modesDiffer = modesDiffer || f.modes.size() > 1;
+    Row head{"builder"};
+    if (modesDiffer) head.insert(head.end(), {"traversal", "test"});
+    for (const char* name : kRaySets) head.insert(head.end(), {std::string(name) + " ms", "Mrays/s"});
+    if (modesDiffer) head.emplace_back("in double");
+    head.insert(head.end(), {"checked", "wrong", "undecided"});
+    std::vector<Row> rows{head};
+    for (const BuilderFigures& f : figures)
+        for (const ModeFigures& mode : f.modes) rows.push_back(rayRow(f.built.builder, mode, modesDiffer));
+    return alignedTable(rows, (modesDiffer ? "lll" : "l") + std::string(head.size() - (modesDiffer ? 3 : 1), 'r'));
 }
 
 }  // namespace cleave

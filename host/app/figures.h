@@ -17,17 +17,26 @@ struct SetFigures {
     uint64_t invalidRays = 0;
     uint64_t cappedRays = 0;
     CheckResult check;
+    std::optional<double> resolvedShare;  // of the triangle tests: those decided in double; where tests are compared
+};
+
+// One way for rays to go.
+struct ModeFigures {
+    Traversal traversal = Traversal::restart;
+    TriangleTest test = TriangleTest::watertight;
+    std::array<SetFigures, kRaySets.size()> sets;
 };
 
 // One builder on one scene. The tree itself is gone by then.
 struct BuilderFigures {
     BuiltTree built;
-    std::array<SetFigures, kRaySets.size()> sets;
+    std::vector<ModeFigures> modes;
 };
 
 // A row per builder; SAH cost and references also as ratios to the builder `exact` where that is among them.
 // `included` triangles are in the tree.
 std::string treeTable(const std::vector<BuilderFigures>& figures, uint64_t included);
+// A row per builder and mode.
 std::string rayTable(const std::vector<BuilderFigures>& figures);
 
 }  // namespace cleave

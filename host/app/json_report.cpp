@@ -48,10 +48,15 @@ Json buildJson(const BuiltTree& built) {
             {"expectedTriangles", optionalJson(s.expectedTriangles)}};
 }
 
-Json traceJson(uint64_t rays, double ms, uint64_t invalidRays, uint64_t cappedRays) {
-    return {{"traversal", "restart"},     {"rays", rays},
-            {"ms", numberJson(ms)},       {"mraysPerSecond", optionalJson(mraysPerSecond(rays, ms))},
-            {"invalidRays", invalidRays}, {"cappedRays", cappedRays}};
+Json traceJson(Traversal traversal, TriangleTest test, uint64_t rays, double ms, uint64_t invalidRays,
+               uint64_t cappedRays) {
+    return {{"traversal", nameOf(traversal)},
+            {"triangleTest", nameOf(test)},
+            {"rays", rays},
+            {"ms", numberJson(ms)},
+            {"mraysPerSecond", optionalJson(mraysPerSecond(rays, ms))},
+            {"invalidRays", invalidRays},
+            {"cappedRays", cappedRays}};
 }
 
 Json checkJson(const CheckResult& result) {

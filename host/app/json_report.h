@@ -12,7 +12,8 @@ using Json = nlohmann::ordered_json;
 Json sceneJson(const Session& session);
 Json buildJson(const BuiltTree& built);
 // Closest or any hits of `rays` rays in `ms` milliseconds.
-Json traceJson(uint64_t rays, double ms, uint64_t invalidRays, uint64_t cappedRays);
+Json traceJson(Traversal traversal, TriangleTest test, uint64_t rays, double ms, uint64_t invalidRays,
+               uint64_t cappedRays);
 Json checkJson(const CheckResult& result);
 
 // A finite number, or null: JSON knows no infinity.

@@ -1,6 +1,7 @@
 #include "app/options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <map>
@@ -28,7 +29,12 @@ constexpr std::array<std::pair<const char*, View>, 5> kViews = {{{"shaded", View
 constexpr std::array<std::pair<const char*, AxisChoice>, 3> kAxes = {
     {{"all", AxisChoice::all}, {"widest", AxisChoice::widest}, {"cycle", AxisChoice::cycle}}};
 constexpr std::array<std::pair<const char*, bool>, 2> kSwitch = {{{"on", true}, {"off", false}}};
-constexpr std::array<std::pair<const char*, int>, 1> kTraversals = {{{"restart", 0}}};
+constexpr std::array<std::pair<const char*, Traversal>, 2> kTraversals = {
+    {{"restart", Traversal::restart}, {"stack", Traversal::stack}}};
+constexpr std::array<std::pair<const char*, TriangleTest>, 3> kTriangleTests = {
+    {{"watertight", TriangleTest::watertight},
+     {"plain", TriangleTest::plain},
+     {"unfiltered", TriangleTest::unfiltered}}};
 
 template <typename Table>
 std::string namesIn(const Table& table) {
@@ -92,6 +98,30 @@ void addNamed(CLI::App& app, const std::string& name, const std::string& text, V
         ->type_name("NAME");
 }
 
+// The same for a list, each name once; of one name unless `several`.
+template <typename Value, size_t n>
+void addNames(CLI::App& app, const std::string& name, const std::string& text, std::vector<Value>& target,
+              const std::array<std::pair<const char*, Value>, n>& table, bool several) {
+    const auto read = [&table, &target, name, several](const std::string& given) {
+        target.clear();
+        for (const std::string& one : several ? CLI::detail::split(given, ',') : std::vector<std::string>{given}) {
+            const Value value = lookUp(table, name, one);
+            if (std::find(target.begin(), target.end(), value) != target.end())
+                throw CLI::ValidationError(name, "'" + one + "' is given twice");
+            target.push_back(value);
+        }
+    };
+    app.add_option_function<std::string>(name, read, text + " (" + namesIn(table) + ")")
+        ->type_name(several ? "NAME,..." : "NAME");
+}
+
+template <typename Value, size_t n>
+std::string nameIn(const std::array<std::pair<const char*, Value>, n>& table, Value value) {
+    for (const auto& [name, known] : table)
+        if (known == value) return name;
+    return "";
+}
+
 void addBuilders(CLI::App& app, Options& options, bool several) {
     const auto read = [&options, several](const std::string& given) {
         options.builders.clear();
@@ -141,10 +171,9 @@ void addBuild(CLI::App& app, Options& options, bool several) {
     addNamed(app, "--clip", "clip triangles to the cells", settings.clip, kSwitch);
 }
 
-void addTraversal(CLI::App& app, Options& options) {
-    const auto read = [](const std::string& given) { lookUp(kTraversals, "--traversal", given); };
-    app.add_option_function<std::string>("--traversal", read, "how rays go (" + namesIn(kTraversals) + ")")
-        ->type_name("NAME");
+void addTraversal(CLI::App& app, Options& options, bool several) {
+    addNames(app, "--traversal", "how rays go", options.traversals, kTraversals, several);
+    addNames(app, "--triangle-test", "how hits are decided", options.triangleTests, kTriangleTests, several);
     addWhole(app, "--check", "judge so many of the rays by the reference", options.check, 1, uint64_t{1} << 32);
 }
 
@@ -180,7 +209,7 @@ void addRender(CLI::App& app, Options& options) {
         [&options](double degrees) { options.fov = degrees; }, "an angle above 0 and below 180 degrees");
     addNamed(app, "--view", "what is shown", options.view, kViews);
     addBuild(app, options, false);
-    addTraversal(app, options);
+    addTraversal(app, options, false);
     addOutput(app, options);
 }
 
@@ -193,7 +222,7 @@ void addTrace(CLI::App& app, Options& options) {
     app.add_flag_callback(
         "--any", [&options] { options.query = Query::any; }, "any hit will do, not the closest");
     addBuild(app, options, false);
-    addTraversal(app, options);
+    addTraversal(app, options, false);
     addOutput(app, options);
 }
 
@@ -209,7 +238,7 @@ void addBench(CLI::App& app, Options& options) {
     addWhole(app, "--runs", "median of so many runs (5)", options.runs, 1, 10000);
     app.add_flag("--interior", options.interior, "primary rays from inside, for rooms");
     addBuild(app, options, true);
-    addTraversal(app, options);
+    addTraversal(app, options, true);
     addOutput(app, options);
 }
 
@@ -250,6 +279,12 @@ void complete(Options& options) {
 }  // namespace
 
 std::string nameOf(Builder builder) { return std::string(builder.name); }
+std::string nameOf(Traversal traversal) { return nameIn(kTraversals, traversal); }
+std::string nameOf(TriangleTest test) { return nameIn(kTriangleTests, test); }
+
+TraceMode traceMode(const Options& options) {
+    return {options.traversals.front(), options.triangleTests.front(), false};
+}
 
 Request parseCommandLine(int argc, const char* const* argv) {
     const std::string first = argc > 1 ? argv[1] : "";

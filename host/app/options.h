@@ -13,6 +13,7 @@
 #include "kdtree/kd_tree.h"
 #include "kdtree/oracle.h"
 #include "pass/renderer.h"
+#include "pass/tracer.h"
 
 namespace cleave {
 
@@ -29,6 +30,8 @@ inline constexpr Builder Builder::twin{"twin"};
 inline constexpr Builder Builder::exact{"exact"};
 
 std::string nameOf(Builder builder);
+std::string nameOf(Traversal traversal);
+std::string nameOf(TriangleTest test);
 
 struct Options {
     Command command = Command::devices;
@@ -53,12 +56,17 @@ struct Options {
     std::optional<double> fov;  // vertical, degrees
 
     Query query = Query::closest;
+    std::vector<Traversal> traversals{Traversal::restart};  // bench: several, all with each of the tests
+    std::vector<TriangleTest> triangleTests{TriangleTest::watertight};
     uint32_t runs = 5;
     bool interior = false;
 };
 
 // A text to print instead of a run: help or version.
 using Request = std::variant<Options, std::string>;
+
+// How the rays of a command that knows one way go.
+TraceMode traceMode(const Options& options);
 
 // Throws UsageError, whose text says what there is to choose from. Files are not looked at.
 Request parseCommandLine(int argc, const char* const* argv);

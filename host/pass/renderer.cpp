@@ -81,15 +81,15 @@ Renderer::Renderer(Context& context, Tracer& tracer) : impl_(std::make_unique<Im
 Renderer::~Renderer() = default;
 
 Picture Renderer::render(const DeviceTree& tree, const Scene& scene, std::span<const Ray> rays, uint32_t width,
-                         uint32_t height, View view) {
+                         uint32_t height, View view, TraceMode mode) {
     Impl& d = *impl_;
     Picture picture;
     picture.width = width;
     picture.height = height;
-    const bool counts = view == View::steps || view == View::leaves;
-    picture.primary = d.tracer.trace(tree, rays, Query::closest, counts);
+    mode.countSteps = view == View::steps || view == View::leaves;
+    picture.primary = d.tracer.trace(tree, rays, Query::closest, mode);
     picture.ms = picture.primary.ms;
-    if (counts) setCountScale(picture, view);
+    if (mode.countSteps) setCountScale(picture, view);
     if (view == View::depth) setDepthScale(picture, tree, rays);
 
     std::vector<glm::vec4> colours;
@@ -120,7 +120,8 @@ Picture Renderer::render(const DeviceTree& tree, const Scene& scene, std::span<c
         Recorder recorder(d.context);
         d.passes.shadowRays(recorder, push);
         picture.ms += recorder.submit();
-        const Tracer::Result shadows = d.tracer.trace(tree, shadowRays.download<Ray>(rays.size()), Query::any);
+        mode.countSteps = false;
+        const Tracer::Result shadows = d.tracer.trace(tree, shadowRays.download<Ray>(rays.size()), Query::any, mode);
         picture.ms += shadows.ms;
         shadowHits.upload(std::span<const Hit>(shadows.hits));
     }

@@ -28,9 +28,9 @@ class Renderer {
   public:
     Renderer(Context& context, Tracer& tracer);
     ~Renderer();
-    // `rays` holds width * height rays, row by row.
+    // `rays` holds width * height rays, row by row. Steps are counted where the view shows them.
     Picture render(const DeviceTree& tree, const Scene& scene, std::span<const Ray> rays, uint32_t width,
-                   uint32_t height, View view);
+                   uint32_t height, View view, TraceMode mode = {});
 
   private:
     struct Impl;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <set>
+#include <map>
 
 #include "device_arrays.h"
 #include "gpu/recorder.h"
@@ -16,24 +16,30 @@ constexpr size_t kBatch = size_t(1) << 21;
 }  // namespace
 
 struct Tracer::Impl {
-    explicit Impl(Context& c)
-        : context(c),
-          closest(c, "trace", sizeof(TracePush), {0, 0}),
-          any(c, "trace", sizeof(TracePush), {1, 0}),
-          closestCounted(c, "trace", sizeof(TracePush), {0, 1}),
-          anyCounted(c, "trace", sizeof(TracePush), {1, 1}),
-          counters(c, sizeof(TraceCounters)) {}
+    explicit Impl(Context& c) : context(c), counters(c, sizeof(TraceCounters)) {}
 
     Context& context;
-    Kernel closest, any, closestCounted, anyCounted;
     Buffer counters;
     Buffer rays, hits, steps;  // kept from call to call
+    std::map<std::vector<uint32_t>, std::unique_ptr<Kernel>> kernels;
 
-    std::set<const Kernel*> compiled;
+    // Made when it is first asked for. CPU devices compile at the first dispatch: one without rays, so that a query's
+    // time is the query's.
+    const Kernel& kernel(Query query, const TraceMode& mode) {
+        const bool stack = mode.traversal == Traversal::stack;
+        const std::vector<uint32_t> constants{query == Query::any ? 1u : 0u, mode.countSteps ? 1u : 0u,
+                                              static_cast<uint32_t>(mode.test)};
+        std::vector<uint32_t> key = constants;
+        key.push_back(stack ? 1 : 0);
+        std::unique_ptr<Kernel>& kept = kernels[key];
+        if (!kept) {
+            kept = std::make_unique<Kernel>(context, stack ? "trace_stack" : "trace", sizeof(TracePush), constants);
+            warmUp(*kept);
+        }
+        return *kept;
+    }
 
-    // CPU devices compile at the first dispatch: one without rays, so that a query's time is the query's.
     void warmUp(const Kernel& kernel) {
-        if (!compiled.insert(&kernel).second) return;
         const auto start = std::chrono::steady_clock::now();
         Recorder recorder(context);
         recorder.dispatch(kernel, TracePush{}, 1);
@@ -51,23 +57,21 @@ struct Tracer::Impl {
 Tracer::Tracer(Context& context) : impl_(std::make_unique<Impl>(context)) {}
 Tracer::~Tracer() = default;
 
-Tracer::Result Tracer::trace(const DeviceTree& tree, std::span<const Ray> rays, Query query, bool countSteps) {
+Tracer::Result Tracer::trace(const DeviceTree& tree, std::span<const Ray> rays, Query query, const TraceMode& mode) {
     Impl& d = *impl_;
-    const Kernel& kernel =
-        query == Query::any ? (countSteps ? d.anyCounted : d.any) : (countSteps ? d.closestCounted : d.closest);
-    d.warmUp(kernel);
+    const Kernel& kernel = d.kernel(query, mode);
     Result result;
     result.hits.resize(rays.size());
-    if (countSteps) result.steps.resize(rays.size());
+    if (mode.countSteps) result.steps.resize(rays.size());
     for (size_t first = 0; first < rays.size(); first += kBatch) {
         const std::span<const Ray> batch = rays.subspan(first, std::min(kBatch, rays.size() - first));
         d.reserve(d.rays, batch.size_bytes());
         d.reserve(d.hits, batch.size() * sizeof(Hit));
-        if (countSteps) d.reserve(d.steps, batch.size() * sizeof(StepCount));
+        if (mode.countSteps) d.reserve(d.steps, batch.size() * sizeof(StepCount));
         d.rays.upload(batch);
         const TracePush push{d.rays.address(),
                              d.hits.address(),
-                             countSteps ? d.steps.address() : 0,
+                             mode.countSteps ? d.steps.address() : 0,
                              d.counters.address(),
                              tree.nodes.address(),
                              tree.leafTriangles.address(),
@@ -80,7 +84,7 @@ Tracer::Result Tracer::trace(const DeviceTree& tree, std::span<const Ray> rays, 
         recorder.dispatch(kernel, push, ceilDiv(push.rayCount, kGroup));
         result.ms += recorder.submit();
         d.hits.read(0, &result.hits[first], batch.size() * sizeof(Hit));
-        if (countSteps) d.steps.read(0, &result.steps[first], batch.size() * sizeof(StepCount));
+        if (mode.countSteps) d.steps.read(0, &result.steps[first], batch.size() * sizeof(StepCount));
         const TraceCounters counted = d.counters.download<TraceCounters>(1)[0];
         result.invalidRays += counted.invalidRays;
         result.cappedRays += counted.cappedRays;

@@ -11,6 +11,17 @@
 
 namespace cleave {
 
+// Without a stack, or with one to compare with.
+enum class Traversal { restart, stack };
+// kWatertightTest, kPlainTest, kUnfilteredTest of shared/trace.h.
+enum class TriangleTest : uint32_t { watertight, plain, unfiltered };
+
+struct TraceMode {
+    Traversal traversal = Traversal::restart;
+    TriangleTest test = TriangleTest::watertight;
+    bool countSteps = false;  // by variants of the kernels, so that others do not pay for it
+};
+
 class Tracer {
   public:
     explicit Tracer(Context& context);
@@ -23,7 +34,7 @@ class Tracer {
         uint64_t invalidRays = 0;      // answered as misses (shared/ray.h, isValidRay)
         uint64_t cappedRays = 0;       // given up at the step cap: must be 0
     };
-    Result trace(const DeviceTree& tree, std::span<const Ray> rays, Query query, bool countSteps = false);
+    Result trace(const DeviceTree& tree, std::span<const Ray> rays, Query query, const TraceMode& mode = {});
 
   private:
     struct Impl;

@@ -7,15 +7,22 @@
 
 CLEAVE_BEGIN
 
+// Triangle tests of the trace kernels: intersectTriangle; plainTriangle, quick and leaky; and resolveTriangle without
+// the filter in float before it.
+CLEAVE_CONST uint kWatertightTest = 0u;
+CLEAVE_CONST uint kPlainTest = 1u;
+CLEAVE_CONST uint kUnfilteredTest = 2u;
+
 // What a ray did; counted by a variant of the kernel that is used only where asked for.
 struct StepCount {
     uint inner;      // inner nodes visited, those of restarts included
     uint leaves;     // leaves visited
     uint triangles;  // triangle tests
     uint restarts;
-    uint hitLeaf;  // triangles in the leaf of the hit
+    uint hitLeaf;   // triangles in the leaf of the hit
+    uint resolved;  // triangle tests that were decided in double
 };
-CLEAVE_SIZE(StepCount, 20);
+CLEAVE_SIZE(StepCount, 24);
 
 struct TraceCounters {
     uint invalidRays;

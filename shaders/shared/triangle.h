@@ -141,6 +141,27 @@ CLEAVE_FN Hit intersectTriangle(vec3 origin, vec3 direction, Triangle triangle) 
     return resolveTriangle(origin, direction, triangle.a, triangle.b, triangle.c);
 }
 
+// For comparison: Moeller and Trumbore 1997 in float, edge-inclusive. Rays slip between triangles where rounding puts
+// them outside both, and t is worth no more than float and cancellation leave of it.
+CLEAVE_FN Hit plainTriangle(vec3 origin, vec3 direction, Triangle triangle) {
+    Hit h = missedHit();
+    vec3 e1 = triangle.b - triangle.a;
+    vec3 e2 = triangle.c - triangle.a;
+    vec3 s = origin - triangle.a;
+    vec3 p = preciseCross(direction, e2);
+    vec3 q = preciseCross(s, e1);
+    float det = preciseDot(e1, p);
+    if (det == 0.0f) return h;
+    float inverse = 1.0f / det;
+    float u = preciseDot(s, p) * inverse;
+    float v = preciseDot(direction, q) * inverse;
+    if (u < 0.0f || v < 0.0f || u + v > 1.0f) return h;
+    h.t = preciseDot(e2, q) * inverse;
+    h.u = u;
+    h.v = v;
+    return h;
+}
+
 // The closer hit; ties in t go to the lower primitive number, so that the
 // answer does not depend on the order.
 CLEAVE_FN bool isCloser(Hit a, Hit b) { return a.t < b.t || (a.t == b.t && a.prim < b.prim); }

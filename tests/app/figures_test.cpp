@@ -18,8 +18,9 @@ BuilderFigures figuresOf(Builder builder, double sahCost, uint64_t references) {
     f.built.statistics.references = references;
     f.built.statistics.maxDepth = 9;
     f.built.statistics.sahCost = sahCost;
-    f.sets[0] = {1000000, 500.0, 0, 0, {}};
-    f.sets[0].check.rays = 2048;
+    f.modes.resize(1);
+    f.modes[0].sets[0] = {1000000, 500.0, 0, 0, {}, {}};
+    f.modes[0].sets[0].check.rays = 2048;
     return f;
 }
 
@@ -72,8 +73,22 @@ TEST(BenchTable, WithoutExactThereAreNoRatiosToIt) {
 
 TEST(BenchTable, Rays) {
     EXPECT_EQ(rayTable({figuresOf(Builder::gpu, 110.0, 3000)}),
-              "builder  primary ms  Mrays/s  diffuse ms  Mrays/s  shadow ms  Mrays/s  checked  undecided\n"
-              "gpu         500.000    2.000           -        -          -        -    2,048          0\n");
+              "builder  primary ms  Mrays/s  diffuse ms  Mrays/s  shadow ms  Mrays/s  checked  wrong  undecided\n"
+              "gpu         500.000    2.000           -        -          -        -    2,048      0          0\n");
+}
+
+TEST(BenchTable, WaysOfRaysSideBySide) {
+    BuilderFigures figures = figuresOf(Builder::gpu, 110.0, 3000);
+    figures.modes.push_back(figures.modes[0]);
+    figures.modes[1].traversal = Traversal::stack;
+    figures.modes[1].test = TriangleTest::plain;
+    figures.modes[1].sets[0].check.mismatches = 7;
+    figures.modes[0].sets[0].resolvedShare = 0.125;
+    const std::string table = rayTable({figures});
+    EXPECT_NE(table.find("gpu      restart    watertight     500.000"), std::string::npos) << table;
+    EXPECT_NE(table.find("12.50 %    2,048      0"), std::string::npos) << table;
+    EXPECT_NE(table.find("gpu      stack      plain "), std::string::npos) << table;
+    EXPECT_NE(table.find("-    2,048      7"), std::string::npos) << table;
 }
 
 TEST(JsonReport, KeysOfABuild) {
@@ -88,13 +103,14 @@ TEST(JsonReport, KeysOfABuild) {
 }
 
 TEST(JsonReport, KeysOfTraceAndCheck) {
-    const Json trace = traceJson(1000000, 500.0, 3, 0);
+    const Json trace = traceJson(Traversal::stack, TriangleTest::plain, 1000000, 500.0, 3, 0);
     EXPECT_EQ(trace["rays"], 1000000);
     EXPECT_EQ(trace["ms"], 500.0);
     EXPECT_EQ(trace["mraysPerSecond"], 2.0);
-    EXPECT_EQ(trace["traversal"], "restart");
+    EXPECT_EQ(trace["traversal"], "stack");
+    EXPECT_EQ(trace["triangleTest"], "plain");
     EXPECT_EQ(trace["invalidRays"], 3);
-    EXPECT_TRUE(traceJson(0, 0.0, 0, 0)["mraysPerSecond"].is_null());
+    EXPECT_TRUE(traceJson(Traversal::restart, TriangleTest::watertight, 0, 0.0, 0, 0)["mraysPerSecond"].is_null());
     CheckResult check;
     check.rays = 7;
     check.undecided = 1;

@@ -123,9 +123,21 @@ TEST(Options, WrongUseNamesWhatThereIs) {
     expectRefused({"render", "--builder", "gpu,exact"}, "gpu, twin, exact");
     expectRefused({"bench", "a.glb", "--builder", "gpu,,exact"}, "''");
     expectRefused({"bench", "a.glb", "--builder", "gpu,gpu"}, "twice");
-    expectRefused({"trace", "a.glb", "b.npy", "--traversal", "stack"}, "restart");
+    expectRefused({"trace", "a.glb", "b.npy", "--traversal", "ropes"}, "restart");
     expectRefused({"render", "--view", "fog"}, "shaded, normals, depth, steps, leaves");
     expectRefused({"render", "--clip", "maybe"}, "on, off");
+}
+
+TEST(Options, WaysOfRays) {
+    const Options bench = parse({"bench", "a.glb", "--traversal", "stack,restart", "--triangle-test", "plain"});
+    EXPECT_EQ(bench.traversals, (std::vector{Traversal::stack, Traversal::restart}));
+    EXPECT_EQ(bench.triangleTests, std::vector{TriangleTest::plain});
+    const TraceMode mode = traceMode(parse({"trace", "a.glb", "r.npy", "--triangle-test", "unfiltered"}));
+    EXPECT_EQ(mode.traversal, Traversal::restart);
+    EXPECT_EQ(mode.test, TriangleTest::unfiltered);
+    expectRefused({"bench", "a.glb", "--traversal", "stack,stack"}, "given twice");
+    expectRefused({"bench", "a.glb", "--traversal", "ropes"}, "restart, stack");
+    expectRefused({"render", "--triangle-test", "watertight,plain"}, "watertight, plain, unfiltered");
 }
 
 TEST(Options, OptionsOfLaterAreNotTakenYet) {

@@ -38,7 +38,7 @@ PictureInput::PictureInput(uint32_t pixels, uint32_t seed) {
                                     set.included[below(static_cast<uint32_t>(set.included.size()))], 0.1f, 0.2f}
                               : missedHit());
         shadowHits_.push_back(unit(random) < 0.5f ? hits_.back() : missedHit());
-        steps_.push_back({below(60), below(10), below(30), below(5), below(20)});
+        steps_.push_back({below(60), below(10), below(30), below(5), below(20), below(30)});
     }
     b_[0] = uploaded(rays_);
     b_[1] = uploaded(hits_);

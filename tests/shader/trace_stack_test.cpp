@@ -1,0 +1,48 @@
+// The trace kernel with a stack: the same answers, and what it is for, fewer nodes visited.
+#include <gtest/gtest.h>
+
+#include "kdtree/builders.h"
+#include "support/device.h"
+#include "support/scenes.h"
+#include "support/trace_cases.h"
+
+namespace cleave::test {
+
+TEST(TraceStack, EqualsBruteForceOverEveryTree) {
+    for (uint32_t n : {0u, 1u, 33u, 500u}) {
+        SCOPED_TRACE("triangles and seed " + std::to_string(n));
+        const TriangleSet set = mixedSet(n, n);
+        const std::vector<Ray> rays = mixedRays(2000, n);
+        expectAnswers(set, buildExact(set, BuildSettings{}), rays, Traversal::stack);
+        expectAnswers(set, buildSpatialMedian(set, BuildSettings{}), rays, Traversal::stack);
+        if (HasFatalFailure()) return;
+    }
+}
+
+TEST(TraceStack, HoldsAChildOfEveryDepth) {
+    const DeepChain chain = deepChain();
+    expectAnswers(chain.set, chain.tree, chain.rays, Traversal::stack);
+}
+
+// Both take the same way; the one without a stack walks parts of it again.
+TEST(TraceStack, VisitsTheSameLeavesAndNoNodeTwice) {
+    const TriangleSet set = mixedSet(2000, 3);
+    const auto tree = uploadTree(device(), uploadTriangles(device(), set), buildExact(set, BuildSettings{}));
+    const std::vector<Ray> rays = mixedRays(2000, 5);
+    Tracer tracer(device());
+    const auto stack = tracer.trace(*tree, rays, Query::closest, {.traversal = Traversal::stack, .countSteps = true});
+    const auto restart = tracer.trace(*tree, rays, Query::closest, {.countSteps = true});
+    uint64_t restarts = 0, again = 0;
+    for (size_t i = 0; i < rays.size(); i++) {
+        ASSERT_EQ(stack.steps[i].leaves, restart.steps[i].leaves) << "ray " << i;
+        ASSERT_EQ(stack.steps[i].triangles, restart.steps[i].triangles) << "ray " << i;
+        ASSERT_LE(stack.steps[i].inner, restart.steps[i].inner) << "ray " << i;
+        ASSERT_EQ(stack.steps[i].restarts, 0u) << "ray " << i;
+        restarts += restart.steps[i].restarts;
+        again += restart.steps[i].inner - stack.steps[i].inner;
+    }
+    EXPECT_GT(restarts, 0u);
+    EXPECT_GT(again, 0u);
+}
+
+}  // namespace cleave::test

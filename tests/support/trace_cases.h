@@ -1,0 +1,29 @@
+// Rays of every kind, and what is expected of a trace kernel's answers to them.
+#pragma once
+
+#include <vector>
+
+#include "kdtree/kd_tree.h"
+#include "kdtree/triangle_set.h"
+#include "pass/tracer.h"
+
+namespace cleave::test {
+
+// Random ones, axis-parallel ones through grid points, zero and -0 components, in planes of the grid, from vertices,
+// with short intervals, of any length of direction; and some that are none.
+std::vector<Ray> mixedRays(uint32_t n, uint32_t seed);
+
+// Closest hits equal those of brute force and of the plainest walk with ==, whether steps are counted or not; any-hit
+// queries agree on whether there is one; no ray is given up.
+void expectAnswers(const TriangleSet& set, const KdTree& tree, const std::vector<Ray>& rays, Traversal traversal);
+
+// A chain of planes down to the deepest leaf that a tree may have. Each cell on the way holds a triangle, so that a
+// cell that is passed over shows; a ray along the chain leaves a child behind at every plane.
+struct DeepChain {
+    TriangleSet set;
+    KdTree tree;
+    std::vector<Ray> rays;
+};
+DeepChain deepChain();
+
+}  // namespace cleave::test
