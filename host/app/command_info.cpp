@@ -53,7 +53,7 @@ std::string treeTable(const BuiltTree& built, const Session& session) {
               {"references", grouped(s.references) + " (" + fixed(each, 2) + " per triangle)"},
               {"deepest leaf", std::to_string(s.maxDepth)},
               {"largest leaf", grouped(s.largestLeaf)},
-              {"peak memory", bytesText(built.peakBytes)},
+              {"peak memory", bytesText(built.peakBytes) + ", the whole process " + bytesText(processPeakBytes())},
               {"tree hash", built.hash}};
     if (built.memoryLimited) rows.push_back({"memory", "limit met: the last levels are leaves"});
     return alignedTable(rows, "ll");

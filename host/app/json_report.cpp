@@ -72,6 +72,7 @@ void writeReport(const Run& run, Json report) {
     if (!run.options.json) return;
     const std::optional<std::string> name = run.device.name();
     report["device"] = {{"name", name ? Json(*name) : Json(nullptr)}};
+    report["process"] = {{"peakBytes", processPeakBytes()}};
     report["total"] = {{"ms", numberJson(run.total.milliseconds())}};
     // Names come from files and may be no UTF-8; what is not is replaced.
     writeFile(*run.options.json, report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");

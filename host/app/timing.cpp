@@ -1,5 +1,7 @@
 #include "app/timing.h"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 
 namespace cleave {
@@ -13,6 +15,12 @@ double medianOf(std::vector<double> values) {
 std::optional<double> mraysPerSecond(uint64_t rays, double ms) {
     if (!(ms > 0.0) || rays == 0) return std::nullopt;
     return static_cast<double>(rays) / (1000.0 * ms);
+}
+
+uint64_t processPeakBytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<uint64_t>(usage.ru_maxrss) * 1024;
 }
 
 }  // namespace cleave

@@ -1,4 +1,4 @@
-// Times, and what is made of them.
+// What a run took, and what is made of it.
 #pragma once
 
 #include <chrono>
@@ -23,5 +23,8 @@ double medianOf(std::vector<double> values);
 
 // Millions of rays per second; nothing where no time was measured.
 std::optional<double> mraysPerSecond(uint64_t rays, double ms);
+
+// Bytes of memory that this process has had at most: programs, libraries and, on CPU devices, device memory included.
+uint64_t processPeakBytes();
 
 }  // namespace cleave

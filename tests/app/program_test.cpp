@@ -110,6 +110,7 @@ TEST_F(Program, InfoTellsSceneAndTree) {
     EXPECT_EQ(report["build"]["references"], 1);
     EXPECT_EQ(report["validation"]["ok"], true);
     EXPECT_GT(report["total"]["ms"], 0.0);
+    EXPECT_GT(report["process"]["peakBytes"], report["build"]["peakBytes"]);
     EXPECT_EQ(outputs(), std::vector<std::string>{"i.json"});
 }
 
