@@ -69,6 +69,7 @@ SetFigures measure(Run& run, Session& session, const DeviceTree& tree, const Ray
 BuilderFigures benchBuilder(Run& run, Session& session, Builder builder, RaySets& sets) {
     BuilderFigures figures;
     figures.built = session.build(builder, run.options.runs);
+    session.profile(figures.built);
     const DeviceTree& tree = session.upload(figures.built);
     for (const Traversal traversal : run.options.traversals) {
         for (const TriangleTest test : run.options.triangleTests) {
@@ -129,7 +130,7 @@ Json benchScene(Run& run, const std::filesystem::path& file) {
 
     run.print(oneLine(file.filename().string()) + ": " + grouped(session.scene().triangles.size()) + " triangles, " +
               oneLine(run.device.name().value_or("")) + ", median of " + std::to_string(run.options.runs) + "\n" +
-              treeTable(all, session.set().included.size()) + rayTable(all) + "\n");
+              treeTable(all, session.set().included.size()) + rayTable(all) + kernelLines(all) + "\n");
     Json report{{"scene", sceneJson(session)}};
     report.update(builderJson(all.front()));
     if (all.size() == 1) return report;

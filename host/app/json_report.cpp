@@ -28,6 +28,8 @@ Json sceneJson(const Session& session) {
 
 Json buildJson(const BuiltTree& built) {
     const TreeStatistics& s = built.statistics;
+    Json kernels = Json::object();
+    for (const KernelTime& kernel : built.kernels) kernels[kernel.name] = numberJson(kernel.ms);
     return {{"builder", nameOf(built.builder)},
             {"ms", numberJson(built.ms)},
             {"runsMs", built.runs},
@@ -43,6 +45,7 @@ Json buildJson(const BuiltTree& built) {
             {"leafHistogram", s.leafHistogram},
             {"peakBytes", built.peakBytes},
             {"memoryLimited", built.memoryLimited},
+            {"kernelsMs", kernels},
             {"expectedInner", optionalJson(s.expectedInner)},
             {"expectedLeaves", optionalJson(s.expectedLeaves)},
             {"expectedTriangles", optionalJson(s.expectedTriangles)}};

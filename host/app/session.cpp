@@ -74,6 +74,11 @@ BuiltTree Session::build(Builder builder, uint32_t runs) {
     return built;
 }
 
+void Session::profile(BuiltTree& built) {
+    if (built.builder != Builder::gpu) return;
+    built.kernels = run_.device.builder().profile(*trianglesOnDevice(), run_.options.settings);
+}
+
 const DeviceTree& Session::upload(BuiltTree& built) {
     if (!built.onDevice) built.onDevice = uploadTree(run_.device.context(), trianglesOnDevice(), built.tree);
     return *built.onDevice;

@@ -32,6 +32,7 @@ struct BuiltTree {
     // bound.
     uint64_t peakBytes = 0;
     bool memoryLimited = false;
+    std::vector<KernelTime> kernels;  // see Session::profile
 };
 
 class Session {
@@ -46,6 +47,8 @@ class Session {
 
     // Builds the same tree so many times, to time it.
     BuiltTree build(Builder builder, uint32_t runs = 1);
+    // Where a GPU build's time goes: builds once more and notes it in `built`. Others are left alone.
+    void profile(BuiltTree& built);
     // The tree on the device, which opens it.
     const DeviceTree& upload(BuiltTree& built);
 

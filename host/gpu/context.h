@@ -40,4 +40,10 @@ uint64_t validationMessages(const Context& context);
 // compile).
 double setupMilliseconds(const Context& context);
 
+// What the dispatches of one kernel took together.
+struct KernelTime {
+    std::string name;
+    double ms = 0.0;
+};
+
 }  // namespace cleave

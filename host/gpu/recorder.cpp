@@ -1,13 +1,14 @@
 #include "recorder.h"
 
-#include <chrono>
+#include <algorithm>
 
 #include "error.h"
 #include "shared/dispatch.h"
 
 namespace cleave {
 
-Recorder::Recorder(Context& context) : context_(context) {
+Recorder::Recorder(Context& context, bool timesKernels)
+    : context_(context), timeCount_(2 + (timesKernels ? kMostTimed : 0)) {
     VkCommandBufferAllocateInfo allocate{};
     allocate.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
     allocate.commandPool = context.commandPool;
@@ -17,7 +18,7 @@ Recorder::Recorder(Context& context) : context_(context) {
     VkQueryPoolCreateInfo queries{};
     queries.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO;
     queries.queryType = VK_QUERY_TYPE_TIMESTAMP;
-    queries.queryCount = 2;
+    queries.queryCount = timeCount_;
     check(vkCreateQueryPool(context.device, &queries, nullptr, &times_), "creating a query pool");
     VkFenceCreateInfo fence{};
     fence.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO;
@@ -26,7 +27,7 @@ Recorder::Recorder(Context& context) : context_(context) {
     begin.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
     begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
     check(vkBeginCommandBuffer(commands_, &begin), "recording commands");
-    vkCmdResetQueryPool(commands_, times_, 0, 2);
+    vkCmdResetQueryPool(commands_, times_, 0, timeCount_);
     vkCmdWriteTimestamp2(commands_, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, times_, 0);
 }
 
@@ -65,12 +66,37 @@ void Recorder::dispatchBytes(const Kernel& kernel, const void* push, size_t push
     bind(kernel, push, pushBytes);
     const DispatchSize size = dispatchSize(groups);
     vkCmdDispatch(commands_, size.x, size.y, size.z);
+    noteEnd(kernel);
 }
 
 void Recorder::dispatchIndirectBytes(const Kernel& kernel, const void* push, size_t pushBytes, const Buffer& sizes,
                                      size_t offset) {
     bind(kernel, push, pushBytes);
     vkCmdDispatchIndirect(commands_, sizes.handle(), offset);
+    noteEnd(kernel);
+}
+
+void Recorder::noteEnd(const Kernel& kernel) {
+    if (timeCount_ == 2) return;
+    const auto entry = static_cast<uint32_t>(2 + timed_.size());
+    if (entry == timeCount_) throw Error("internal: more dispatches than a recorder can time");
+    vkCmdWriteTimestamp2(commands_, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, times_, entry);
+    timed_.push_back(&kernel);
+}
+
+// From the end of the dispatch before: barriers count to what waits for them.
+void Recorder::sumTimes(const std::vector<uint64_t>& ticks) {
+    for (size_t i = 0; i < timed_.size(); i++) {
+        const std::string& name = timed_[i]->name();
+        auto known = std::find_if(kernelTimes_.begin(), kernelTimes_.end(),
+                                  [&](const KernelTime& time) { return time.name == name; });
+        if (known == kernelTimes_.end()) known = kernelTimes_.insert(known, KernelTime{name});
+        known->ms += milliseconds(i == 0 ? ticks[0] : ticks[1 + i], ticks[2 + i]);
+    }
+}
+
+double Recorder::milliseconds(uint64_t from, uint64_t to) const {
+    return static_cast<double>(to - from) * context_.properties.limits.timestampPeriod * 1e-6;
 }
 
 void Recorder::copy(VkBuffer from, size_t fromOffset, VkBuffer to, size_t toOffset, size_t bytes) {
@@ -109,11 +135,13 @@ double Recorder::submit() {
     submit.pCommandBufferInfos = &commands;
     check(vkQueueSubmit2(context_.queue, 1, &submit, fence_), "submitting work to the device");
     check(vkWaitForFences(context_.device, 1, &fence_, VK_TRUE, UINT64_MAX), "waiting for the device");
-    uint64_t ticks[2] = {0, 0};
-    check(vkGetQueryPoolResults(context_.device, times_, 0, 2, sizeof(ticks), ticks, sizeof(uint64_t),
+    std::vector<uint64_t> ticks(2 + timed_.size());
+    check(vkGetQueryPoolResults(context_.device, times_, 0, static_cast<uint32_t>(ticks.size()),
+                                ticks.size() * sizeof(uint64_t), ticks.data(), sizeof(uint64_t),
                                 VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
           "reading the device's clock");
-    return static_cast<double>(ticks[1] - ticks[0]) * context_.properties.limits.timestampPeriod * 1e-6;
+    sumTimes(ticks);
+    return milliseconds(ticks[0], ticks[1]);
 }
 
 }  // namespace cleave

@@ -11,7 +11,9 @@ namespace cleave {
 // One command buffer. Every command sees what the ones before it wrote. Submitted once, waited for.
 class Recorder {
   public:
-    explicit Recorder(Context& context);
+    // `timesKernels`: the clock is read after every dispatch, of which there may be kMostTimed.
+    static constexpr uint32_t kMostTimed = 4096;
+    explicit Recorder(Context& context, bool timesKernels = false);
     ~Recorder();
     Recorder(const Recorder&) = delete;
     Recorder& operator=(const Recorder&) = delete;
@@ -34,14 +36,22 @@ class Recorder {
 
     // Runs what was recorded; the device's own time for it in milliseconds.
     double submit();
+    // After submit(), of a recorder that times kernels: in the order in which they came first.
+    const std::vector<KernelTime>& kernelTimes() const { return kernelTimes_; }
 
   private:
     Context& context_;
     VkCommandBuffer commands_ = VK_NULL_HANDLE;
     VkQueryPool times_ = VK_NULL_HANDLE;
     VkFence fence_ = VK_NULL_HANDLE;
+    const uint32_t timeCount_;          // entries of times_: begin, end, and one after each timed dispatch
+    std::vector<const Kernel*> timed_;  // whose dispatch ended at entry 2 + i
+    std::vector<KernelTime> kernelTimes_;
 
     void barrier();
+    void noteEnd(const Kernel& kernel);
+    double milliseconds(uint64_t from, uint64_t to) const;
+    void sumTimes(const std::vector<uint64_t>& ticks);
     void bind(const Kernel& kernel, const void* push, size_t pushBytes);
     void dispatchBytes(const Kernel& kernel, const void* push, size_t pushBytes, uint32_t groups);
     void dispatchIndirectBytes(const Kernel& kernel, const void* push, size_t pushBytes, const Buffer& sizes,

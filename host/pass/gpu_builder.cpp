@@ -12,17 +12,21 @@ struct GpuBuilder::Impl {
     BuildPasses passes;
     BuildBuffers buffers;  // kept from build to build
 
-    // Records a whole build; the state that it ends in.
+    // Runs a whole build; the state that it ends in.
     BuildState run(const DeviceTriangles& triangles, const BuildSettings& settings) {
-        buffers.bind(triangles, settings);
         Recorder recorder(context);
+        record(recorder, triangles, settings);
+        recorder.submit();
+        return buffers.state.download<BuildState>(1)[0];
+    }
+
+    void record(Recorder& recorder, const DeviceTriangles& triangles, const BuildSettings& settings) {
+        buffers.bind(triangles, settings);
         recorder.fillZero(buffers.state);
         passes.makeRefs(recorder, buffers, triangles.includedCount);
         passes.begin(recorder, buffers);
         const uint32_t maxDepth = depthLimit(settings, triangles.includedCount);
         for (uint32_t depth = 0; depth <= maxDepth; depth++) passes.level(recorder, buffers, depth);
-        recorder.submit();
-        return buffers.state.download<BuildState>(1)[0];
     }
 
     void reserve(const BuildCapacity& c, uint32_t exactBelow) {
@@ -80,6 +84,13 @@ GpuBuilder::Result GpuBuilder::build(std::shared_ptr<DeviceTriangles> triangles,
     result.peakBytes = impl_->buffers.bytes() + result.tree->nodes.size() + result.tree->leafTriangles.size();
     result.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return result;
+}
+
+std::vector<KernelTime> GpuBuilder::profile(const DeviceTriangles& triangles, const BuildSettings& settings) {
+    Recorder recorder(impl_->context, true);
+    impl_->record(recorder, triangles, settings);
+    recorder.submit();
+    return recorder.kernelTimes();
 }
 
 void GpuBuilder::warmUp() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "device_tree.h"
+#include "gpu/context.h"
 
 namespace cleave {
 
@@ -19,6 +20,10 @@ class GpuBuilder {
         bool memoryLimited = false;  // settings.memory was met: the last levels were finished as leaves
     };
     Result build(std::shared_ptr<DeviceTriangles> triangles, const BuildSettings& settings);
+
+    // Builds once more, with the clock read after every dispatch: what each kernel takes. In the room that the last
+    // build needed, so that it follows one with the same settings.
+    std::vector<KernelTime> profile(const DeviceTriangles& triangles, const BuildSettings& settings);
 
     // Compiles every kernel that build() uses, by building a tiny tree.
     void warmUp();

@@ -91,6 +91,13 @@ TEST(BenchTable, WaysOfRaysSideBySide) {
     EXPECT_NE(table.find("-    2,048      7"), std::string::npos) << table;
 }
 
+TEST(BenchTable, KernelsByTheirShare) {
+    BuilderFigures figures = figuresOf(Builder::gpu, 110.0, 3000);
+    EXPECT_EQ(kernelLines({figures}), "");
+    figures.built.kernels = {{"bin", 1.0}, {"classify", 3.0}};
+    EXPECT_EQ(kernelLines({figures}), "gpu build by kernel, %: classify 75.0 bin 25.0\n");
+}
+
 TEST(JsonReport, KeysOfABuild) {
     const Json json = buildJson(figuresOf(Builder::exact, 100.0, 2000).built);
     for (const char* key :

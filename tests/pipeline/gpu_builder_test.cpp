@@ -35,6 +35,20 @@ GpuBuilder::Result expectTwinsTree(const TriangleSet& set, const BuildSettings& 
 
 }  // namespace
 
+// A timed build is the same build: every kernel shows, and the times add up to something.
+TEST(GpuBuilder, ProfilesEveryKernel) {
+    const TriangleSet set = mixedSet(3000, 5);
+    const auto triangles = uploadTriangles(device(), set);
+    GpuBuilder builder(device());
+    builder.build(triangles, BuildSettings{});
+    const std::vector<KernelTime> kernels = builder.profile(*triangles, BuildSettings{});
+    EXPECT_EQ(kernels.size(), 15u);
+    EXPECT_EQ(kernels.front().name, "make_refs");
+    for (const KernelTime& kernel : kernels) EXPECT_GE(kernel.ms, 0.0) << kernel.name;
+    EXPECT_EQ(treeHash(readBack(device(), *builder.build(triangles, BuildSettings{}).tree)),
+              treeHash(buildTwin(set, BuildSettings{}).tree));
+}
+
 TEST(GpuBuilder, EqualsTwinOnMadeScenes) {
     for (uint32_t n : kSizes) {
         SCOPED_TRACE("triangles " + std::to_string(n));
