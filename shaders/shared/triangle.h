@@ -104,6 +104,8 @@ CLEAVE_FN double edgeSide(dvec3 a, dvec3 b) {
     return xy - yx;
 }
 
+CLEAVE_FN dvec3 shorterOf(dvec3 v, dvec3 w) { return preciseDot(w, w) < preciseDot(v, v) ? w : v; }
+
 // The exact part: hit or miss by sign, then t, u, v. Lengths of |v - origin| up
 // to 1e70 do not overflow.
 CLEAVE_FN Hit resolveTriangle(vec3 origin, vec3 direction, vec3 va, vec3 vb, vec3 vc) {
@@ -111,11 +113,13 @@ CLEAVE_FN Hit resolveTriangle(vec3 origin, vec3 direction, vec3 va, vec3 vb, vec
     dvec3 o = dvec3(origin);
     dvec3 d = dvec3(direction);
     dvec3 a = dvec3(va) - o;
+    dvec3 b = dvec3(vb) - o;
+    dvec3 c = dvec3(vc) - o;
     uint k = abs(direction.x) >= abs(direction.y) ? 0u : 1u;
     if (abs(direction.z) > abs(direction[k])) k = 2u;
     dvec3 sa = shearedAlong(d, k, a);
-    dvec3 sb = shearedAlong(d, k, dvec3(vb) - o);
-    dvec3 sc = shearedAlong(d, k, dvec3(vc) - o);
+    dvec3 sb = shearedAlong(d, k, b);
+    dvec3 sc = shearedAlong(d, k, c);
     double wa = edgeSide(sb, sc);
     double wb = edgeSide(sc, sa);
     double wc = edgeSide(sa, sb);
@@ -124,7 +128,8 @@ CLEAVE_FN Hit resolveTriangle(vec3 origin, vec3 direction, vec3 va, vec3 vb, vec
     if (negative == positive) return h;  // outside an edge, or the ray lies in the triangle's plane
     dvec3 n = preciseCross(dvec3(vb) - dvec3(va), dvec3(vc) - dvec3(va));
     precise double slope = preciseDot(n, d);
-    precise double height = preciseDot(n, a);
+    // From the nearest vertex: the error shrinks with the way to it, so that a ray from a vertex hits at t = 0.
+    precise double height = preciseDot(n, shorterOf(shorterOf(a, b), c));
     precise double sum = wa + wb;
     sum = sum + wc;
     if (slope == 0.0) return h;
