@@ -3,6 +3,7 @@
 #include "app/text.h"
 #include "app/write_file.h"
 #include "error.h"
+#include "kdtree/leaf_reasons.h"
 #include "kdtree/validate.h"
 
 namespace cleave {
@@ -70,6 +71,35 @@ std::string histogramTable(const TreeStatistics& s) {
     return alignedTable(rows, "rr");
 }
 
+// Why nodes are leaves: name in reports, words for a person.
+struct LeafReason {
+    const char* name;
+    const char* words;
+    uint64_t LeafReasons::*count;
+};
+constexpr LeafReason kLeafReasons[] = {
+    {"empty", "no triangle", &LeafReasons::empty},
+    {"depthLimit", "the depth limit", &LeafReasons::depthLimit},
+    {"collapsedAxes", "two axes of the cell collapsed", &LeafReasons::collapsedAxes},
+    {"identicalBoxes", "all boxes identical", &LeafReasons::identicalBoxes},
+    {"noPlane", "no face of a box inside of the cell", &LeafReasons::noPlane},
+    {"cost", "no split costs less", &LeafReasons::cost},
+    {"wouldPay", "none, a split would cost less", &LeafReasons::wouldPay},
+};
+
+std::string reasonTable(const LeafReasons& reasons) {
+    Rows rows{{"why a leaf", "leaves"}};
+    for (const LeafReason& reason : kLeafReasons)
+        if (reasons.*reason.count > 0) rows.push_back({reason.words, grouped(reasons.*reason.count)});
+    return alignedTable(rows, "lr");
+}
+
+Json reasonJson(const LeafReasons& reasons) {
+    Json json = Json::object();
+    for (const LeafReason& reason : kLeafReasons) json[reason.name] = reasons.*reason.count;
+    return json;
+}
+
 Json validationJson(const ValidationReport& report) {
     return {{"ok", report.ok()},
             {"errors", report.errorCount},
@@ -85,9 +115,13 @@ void runInfo(Run& run) {
     Session session(run, options.scenes.front());
     run.print(sceneTable(session));
     const BuiltTree built = session.build(options.builders.front());
-    run.print("\n" + treeTable(built, session) + "\n" + histogramTable(built.statistics));
+    run.progress.phase("asking leaves");
+    const LeafReasons reasons = countLeafReasons(built.tree, session.set(), options.settings);
+    run.progress.clear();
+    run.print("\n" + treeTable(built, session) + "\n" + histogramTable(built.statistics) + "\n" + reasonTable(reasons));
 
     Json report{{"scene", sceneJson(session)}, {"build", buildJson(built)}};
+    report["build"]["leafReasons"] = reasonJson(reasons);
     if (!options.validate) return writeReport(run, report);
     run.progress.phase("validating");
     // The brute-force "tree" is one leaf, which any depth allows.

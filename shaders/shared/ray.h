@@ -66,8 +66,10 @@ CLEAVE_FN ScaledRay scaledRay(Ray r, int sceneExponent) {
     return s;
 }
 
+// A hit beyond the largest float is a miss.
 CLEAVE_FN Hit worldHit(Hit h, int tExponent) {
     h.t = timesPowerOfTwo(h.t, tExponent);
+    if (!isFinite(h.t)) return missedHit();
     return h;
 }
 

@@ -109,6 +109,9 @@ TEST_F(Program, InfoTellsSceneAndTree) {
     EXPECT_EQ(report["build"]["builder"], "exact");
     EXPECT_EQ(report["build"]["references"], 1);
     EXPECT_EQ(report["validation"]["ok"], true);
+    uint64_t reasons = 0;
+    for (const auto& reason : report["build"]["leafReasons"]) reasons += reason.get<uint64_t>();
+    EXPECT_EQ(reasons, report["build"]["leaves"].get<uint64_t>());
     EXPECT_GT(report["total"]["ms"], 0.0);
     EXPECT_GT(report["process"]["peakBytes"], report["build"]["peakBytes"]);
     EXPECT_EQ(outputs(), std::vector<std::string>{"i.json"});

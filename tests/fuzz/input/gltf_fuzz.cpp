@@ -50,6 +50,7 @@ void requireSound(const Scene& scene) {
 
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     using namespace cleave::fuzz;
+    const TimeLimit limit;
     static const SceneFolder folder;
     static const Watch outside(folder.outside());
     try {

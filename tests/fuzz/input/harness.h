@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -26,6 +27,22 @@ inline void requireOneLine(const std::string& message) {
     for (const char c : message) good = good && static_cast<unsigned char>(c) >= 0x20 && c != 0x7F;
     require(good, "a message is one line", message);
 }
+
+// Aborts if an input took too long, by processor time: a busy machine is no finding. (libFuzzer's own limit goes by the
+// clock on the wall, and is for inputs that never end.)
+class TimeLimit {
+  public:
+    TimeLimit() = default;
+    ~TimeLimit() {
+        constexpr double kSeconds = 5.0;
+        require(double(std::clock() - start_) / CLOCKS_PER_SEC < kSeconds, "an input takes less than 5 s");
+    }
+    TimeLimit(const TimeLimit&) = delete;
+    TimeLimit& operator=(const TimeLimit&) = delete;
+
+  private:
+    std::clock_t start_ = std::clock();
+};
 
 // The folder of a scene, with files in it and, outside of it, one that no URI may reach; removed at exit.
 class SceneFolder {

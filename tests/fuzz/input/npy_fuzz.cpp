@@ -8,6 +8,7 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     using namespace cleave::fuzz;
+    const TimeLimit limit;
     std::istringstream stream(std::string(reinterpret_cast<const char*>(data), size));
     try {
         const std::vector<cleave::Ray> rays = cleave::readRays(stream, size, "rays.npy");

@@ -5,6 +5,7 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     using namespace cleave::fuzz;
+    const TimeLimit limit;
     namespace fs = std::filesystem;
     static const SceneFolder folder;
     static const std::string home = fs::canonical(folder.folder()).string() + "/";
