@@ -13,17 +13,18 @@ namespace fs = std::filesystem;
 
 // The timed part is from triangles in memory to a KdTree.
 void buildOnHost(BuiltTree& built, const TriangleSet& set, const BuildSettings& settings) {
+    BuildReport report;
     const Stopwatch watch;
     if (built.builder == Builder::twin) {
         TwinResult result = buildTwin(set, settings);
         built.tree = std::move(result.tree);
         built.memoryLimited = result.memoryLimited;
+        report.peakBytes = result.peakBytes;
     } else {
-        built.tree = cpuBuilder(built.builder.name).build(set, settings);
+        built.tree = cpuBuilder(built.builder.name).build(set, settings, &report);
     }
     built.runs.push_back(watch.milliseconds());
-    built.peakBytes = built.tree.nodes.capacity() * sizeof(KdNode) +
-                      built.tree.leafTriangles.capacity() * sizeof(built.tree.leafTriangles[0]);
+    built.peakBytes = report.peakBytes;
 }
 
 }  // namespace

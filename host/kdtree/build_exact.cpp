@@ -1,11 +1,10 @@
-#include <tbb/global_control.h>
 #include <tbb/parallel_invoke.h>
-#include <tbb/task_arena.h>
 
 #include "kdtree/build_exact_nlog2n.h"
 #include "kdtree/builders.h"
 #include "kdtree/event_node.h"
 #include "kdtree/graft.h"
+#include "kdtree/threads.h"
 
 namespace cleave {
 namespace {
@@ -21,7 +20,9 @@ constexpr uint32_t kShareChildrenFrom = 1024;
 class ExactPart {
   public:
     ExactPart(EventBuild& build, const BuildSettings& settings)
-        : build_(build), settings_(settings), small_(build.set, settings, SweepChooser(build.maxDepth, report_)) {
+        : build_(build),
+          settings_(settings),
+          small_(build.set, settings, SweepChooser(build.maxDepth, report_), build.bytes) {
         tree_.nodes.resize(1);
     }
     ExactPart(const ExactPart&) = delete;  // the chooser holds the report's address
@@ -80,7 +81,8 @@ class ExactPart {
 
 }  // namespace
 
-KdTree buildExact(const TriangleSet& set, const BuildSettings& settings, BuildReport& report) {
+KdTree buildExact(const TriangleSet& set, const BuildSettings& settings, BuildReport* asked) {
+    BuildReport report;
     EventBuild build{set, settings.clip, depthLimit(settings, set.included.size()), settings.threads > 1, {}};
     ExactPart whole(build, settings);
     const auto run = [&] {
@@ -90,26 +92,15 @@ KdTree buildExact(const TriangleSet& set, const BuildSettings& settings, BuildRe
         report = whole.report();
         report.sortSteps += ofRoot.sortSteps;
     };
-    if (build.parallel) {
-        // The one allows more threads than the machine has, the other keeps to fewer.
-        const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, settings.threads);
-        tbb::task_arena(static_cast<int>(settings.threads)).execute(run);
-    } else {
-        run();
-    }
+    withThreads(settings.threads, run);
     KdTree tree = std::move(whole.tree());
     tree.bounds = set.bounds;
     tree.exponent = set.exponent;
-    // An array grows by copying into twice the room; while parts are put together, they exist twice.
-    const uint64_t treeBytes =
-        tree.nodes.capacity() * sizeof(KdNode) + tree.leafTriangles.capacity() * sizeof(uint32_t);
-    report.peakBytes = build.bytes.peak() + (build.parallel ? 3 : 2) * treeBytes;
+    // While parts are put together, they exist twice.
+    const uint64_t treeBytes = growthBytes(tree);
+    report.peakBytes = build.bytes.peak() + (build.parallel ? 2 : 1) * treeBytes;
+    if (asked != nullptr) *asked = report;
     return tree;
-}
-
-KdTree buildExact(const TriangleSet& set, const BuildSettings& settings) {
-    BuildReport report;
-    return buildExact(set, settings, report);
 }
 
 }  // namespace cleave

@@ -21,16 +21,12 @@ Split SweepChooser::operator()(const NodeToSplit& node) {
     return isWorthwhile(best, node.cell, count, node.depth, maxDepth_) ? best : noSplit();
 }
 
-KdTree buildExactNLog2N(const TriangleSet& set, const BuildSettings& settings, BuildReport& report) {
-    report = {};
-    const SweepChooser chooser(depthLimit(settings, set.included.size()), report);
-    TopDownBuilder<SweepChooser> builder(set, settings, chooser);
-    return builder.build();
-}
-
-KdTree buildExactNLog2N(const TriangleSet& set, const BuildSettings& settings) {
-    BuildReport report;
-    return buildExactNLog2N(set, settings, report);
+KdTree buildExactNLog2N(const TriangleSet& set, const BuildSettings& settings, BuildReport* report) {
+    BuildReport work;
+    const SweepChooser chooser(depthLimit(settings, set.included.size()), work);
+    KdTree tree = buildTopDown(set, settings, chooser, report);
+    if (report != nullptr) *report = {report->peakBytes, work.eventsSwept, work.sortSteps};
+    return tree;
 }
 
 }  // namespace cleave

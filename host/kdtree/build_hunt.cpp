@@ -4,6 +4,8 @@
 
 #include "kdtree/adaptive_samples.h"
 #include "kdtree/builders.h"
+#include "kdtree/face_scan.h"
+#include "kdtree/faces_along.h"
 #include "kdtree/top_down.h"
 
 namespace cleave {
@@ -28,10 +30,14 @@ class SampleChooser {
         const size_t n = node.refs.size();
         const bool oneAxis = axes_ == SampledAxes::one || (axes_ == SampledAxes::hybrid && n > kOneAxisAbove);
         Split best = noSplit();
-        for (const uint32_t axis : longestFirst(node.cell)) {
-            gather(node, static_cast<int>(axis));
-            best = n <= kExactBoxes ? scanFaces(best, node, axis) : search(best, node, axis);
-            if (oneAxis && (n <= kOtherAxesAbove || isWorthwhile(node, best))) break;
+        if (n <= kExactBoxes && !oneAxis) {
+            best = bestFace(node, kAllAxes);
+        } else {
+            for (const uint32_t axis : longestFirst(node.cell)) {
+                const Split split = n <= kExactBoxes ? bestFace(node, onlyAxis(axis)) : search(node, axis);
+                if (isBetter(split, best)) best = split;
+                if (oneAxis && (n <= kOtherAxesAbove || isWorthwhile(node, best))) break;
+            }
         }
         return isWorthwhile(node, best) ? best : noSplit();
     }
@@ -53,106 +59,46 @@ class SampleChooser {
         return axes;
     }
 
-    void gather(const NodeToSplit& node, int axis) {
-        lo_.resize(node.refs.size());
-        hi_.resize(node.refs.size());
-        flat_.clear();
-        float from = infinity(), to = -infinity();
-        for (size_t i = 0; i < lo_.size(); ++i) {
-            const float lo = node.refs[i].box.lo[axis], hi = node.refs[i].box.hi[axis];
-            lo_[i] = lo;
-            hi_[i] = hi;
-            from = min(from, lo);
-            to = max(to, hi);
-            if (lo == hi) flat_.push_back(lo);
-        }
-        from_ = from;
-        to_ = to;
-    }
-
-    uint32_t planarAt(float position) const {
-        uint32_t planar = 0;
-        for (const float flat : flat_) planar += flat == position ? 1u : 0u;
-        return planar;
-    }
-
-    // The best of the candidates in samples_, of which only the positions are known.
-    Split bestCandidate(Split best, const NodeToSplit& node, uint32_t axis) {
-        countSides({lo_, hi_}, samples_);
-        for (const CostSample& s : samples_)
-            best = betterOfBothSides(best, node.cell, axis, s.position, s.left, s.right, planarAt(s.position));
-        return best;
-    }
-
-    // Every face of every box. Quadratic, and for so few boxes faster than sorting them.
-    Split scanFaces(Split best, const NodeToSplit& node, uint32_t axis) {
-        const float from = node.cell.lo[static_cast<int>(axis)], to = node.cell.hi[static_cast<int>(axis)];
-        samples_.resize(2 * lo_.size());
-        size_t inside = 0;
-        for (const auto* faces : {&lo_, &hi_})
-            for (const float position : *faces) {
-                samples_[inside].position = position;
-                inside += (from < position) & (position < to) ? 1u : 0u;  // without a branch: no telling which it is
-            }
-        samples_.resize(inside);
-        return bestCandidate(best, node, axis);
-    }
-
-    Split search(Split best, const NodeToSplit& node, uint32_t axis) {
-        const auto n = static_cast<uint32_t>(lo_.size());
-        best = betterOf(best, node.cell, axis, from_, 0, n, 0);  // what is empty before the boxes or behind them
-        best = betterOf(best, node.cell, axis, to_, n, 0, 1);
-        if (!(from_ < to_)) return best;
-        takeAdaptiveSamples({lo_, hi_}, from_, to_, kSamples, samples_);
-        Valley deepest{from_, infinity()};
+    // Where the interpolated cost is least, and at the faces around that place: between them the cost is affine.
+    Split search(const NodeToSplit& node, uint32_t axis) {
+        gatherFaces(faces_, node, axis);
+        const auto n = static_cast<uint32_t>(node.refs.size());
+        Split best = noSplit();
+        best = betterOf(best, node.cell, axis, faces_.from, 0, n, 0);  // what is empty before the boxes or behind them
+        best = betterOf(best, node.cell, axis, faces_.to, n, 0, 1);
+        if (!(faces_.from < faces_.to)) return best;
+        takeAdaptiveSamples(faces_.extents(node), faces_.from, faces_.to, kSamples, samples_);
+        Valley deepest{faces_.from, infinity()};
         for (size_t i = 1; i < samples_.size(); ++i) {
             const Valley valley = valleyBetween(samples_[i - 1], samples_[i], node.cell, axis);
             if (valley.cost < deepest.cost) deepest = valley;
         }
-        samples_.clear();
-        for (const float face : facesAround(deepest.position)) samples_.push_back({face, 0, 0});
-        return bestCandidate(best, node, axis);
-    }
-
-    // The nearest faces before and behind a position. Between them the cost is affine: it is least at one of them.
-    std::array<float, 2> facesAround(float position) const {
-        const float none = infinity();
-        float loBefore = -none, hiBefore = -none, loBehind = none, hiBehind = none;  // four, to wait less for each
-        for (size_t i = 0; i < lo_.size(); ++i) {
-            const float lo = lo_[i], hi = hi_[i];
-            loBefore = max(loBefore, lo <= position ? lo : -none);
-            hiBefore = max(hiBefore, hi <= position ? hi : -none);
-            loBehind = min(loBehind, lo >= position ? lo : none);
-            hiBehind = min(hiBehind, hi >= position ? hi : none);
-        }
-        return {max(loBefore, hiBefore), min(loBehind, hiBehind)};
+        const Split near = bestNear(faces_, node, deepest.position);
+        return isBetter(near, best) ? near : best;
     }
 
     const SampledAxes axes_;
     const uint32_t maxDepth_;
-    std::vector<float> lo_, hi_;     // of the node's boxes, along one axis
-    std::vector<float> flat_;        // where boxes without extent lie
-    float from_ = 0.0f, to_ = 0.0f;  // of all the boxes
+    FacesAlong faces_;
     std::vector<CostSample> samples_;
 };
 
-KdTree buildHunt(const TriangleSet& set, const BuildSettings& settings, SampledAxes axes) {
-    const SampleChooser chooser(axes, depthLimit(settings, set.included.size()));
-    return TopDownBuilder<SampleChooser>(set, settings, chooser).build();
+KdTree buildHunt(const TriangleSet& set, const BuildSettings& settings, SampledAxes axes, BuildReport* report) {
+    return buildTopDown(set, settings, SampleChooser(axes, depthLimit(settings, set.included.size())), report);
 }
 
 }  // namespace
 
-KdTree buildHuntAll(const TriangleSet& set, const BuildSettings& settings) {
-    return buildHunt(set, settings, SampledAxes::all);
+KdTree buildHuntAll(const TriangleSet& set, const BuildSettings& settings, BuildReport* report) {
+    return buildHunt(set, settings, SampledAxes::all, report);
 }
 
-KdTree buildHuntHybrid(const TriangleSet& set, const BuildSettings& settings) {
-    return buildHunt(set, settings, SampledAxes::hybrid);
+KdTree buildHuntHybrid(const TriangleSet& set, const BuildSettings& settings, BuildReport* report) {
+    return buildHunt(set, settings, SampledAxes::hybrid, report);
 }
 
-KdTree buildHuntOne(const TriangleSet& set, const BuildSettings& settings) {
-    return buildHunt(set, settings, SampledAxes::one);
+KdTree buildHuntOne(const TriangleSet& set, const BuildSettings& settings, BuildReport* report) {
+    return buildHunt(set, settings, SampledAxes::one, report);
 }
 
 }  // namespace cleave

@@ -96,18 +96,18 @@ class MedianChooser {
 };
 
 template <class Median>
-KdTree buildMedian(const TriangleSet& set, const BuildSettings& settings) {
-    return TopDownBuilder<MedianChooser<Median>>(set, settings, MedianChooser<Median>(settings)).build();
+KdTree buildMedian(const TriangleSet& set, const BuildSettings& settings, BuildReport* report) {
+    return buildTopDown(set, settings, MedianChooser<Median>(settings), report);
 }
 
 }  // namespace
 
-KdTree buildSpatialMedian(const TriangleSet& set, const BuildSettings& settings) {
-    return buildMedian<SpatialMedian>(set, settings);
+KdTree buildSpatialMedian(const TriangleSet& set, const BuildSettings& settings, BuildReport* report) {
+    return buildMedian<SpatialMedian>(set, settings, report);
 }
 
-KdTree buildObjectMedian(const TriangleSet& set, const BuildSettings& settings) {
-    return buildMedian<ObjectMedian>(set, settings);
+KdTree buildObjectMedian(const TriangleSet& set, const BuildSettings& settings, BuildReport* report) {
+    return buildMedian<ObjectMedian>(set, settings, report);
 }
 
 }  // namespace cleave

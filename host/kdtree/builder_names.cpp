@@ -3,12 +3,9 @@
 #include <string>
 
 #include "error.h"
-#include "kdtree/builders.h"
 
 namespace cleave {
 namespace {
-
-KdTree brute(const TriangleSet& set, const BuildSettings&) { return buildBrute(set); }
 
 constexpr CpuBuilder kCpuBuilders[] = {
     {"exact", buildExact, "exact SAH with perfect splits (Wald and Havran 2006)"},
@@ -16,9 +13,10 @@ constexpr CpuBuilder kCpuBuilders[] = {
     {"hunt-all", buildHuntAll, "SAH from 16 adaptive samples per axis, exact in small nodes (Hunt et al. 2006)"},
     {"hunt-hybrid", buildHuntHybrid, "the same, in nodes above 1024 references along the longest axis only"},
     {"hunt-one", buildHuntOne, "the same, along the longest axis only, the others where that has no split"},
+    {"shevtsov", buildShevtsov, "binned SAH, a subtree per thread, exact in small nodes (Shevtsov et al. 2007)"},
     {"object-median", buildObjectMedian, "planes through the centre of the median box; see --axes, --leaf-size"},
     {"spatial-median", buildSpatialMedian, "planes through the middle of the cell; see --axes, --leaf-size"},
-    {"brute", brute, "no tree: one leaf that lists all triangles"},
+    {"brute", buildBrute, "no tree: one leaf that lists all triangles"},
 };
 
 }  // namespace

@@ -4,15 +4,18 @@
 #include <span>
 #include <string_view>
 
-#include "kd_tree.h"
-#include "triangle_set.h"
+#include "kdtree/builders.h"
 
 namespace cleave {
 
 struct CpuBuilder {
     std::string_view name;
-    KdTree (*build)(const TriangleSet& set, const BuildSettings& settings);
+    KdTree (*function)(const TriangleSet& set, const BuildSettings& settings, BuildReport* report);
     std::string_view description;  // half a sentence
+
+    KdTree build(const TriangleSet& set, const BuildSettings& settings, BuildReport* report = nullptr) const {
+        return function(set, settings, report);
+    }
 };
 
 // All of them, in the order in which they are listed to a user. The reference of all costs, `exact`, comes first.

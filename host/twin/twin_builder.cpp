@@ -43,6 +43,7 @@ TwinResult buildTwin(const TriangleSet& set, const BuildSettings& settings) {
             continue;
         }
         TwinResult result;
+        result.peakBytes = bufferBytes(capacity, settings.exactBelow);
         result.memoryLimited = overflowed(a.state);
         result.tree.bounds = rootCell(set);
         result.tree.exponent = set.exponent;

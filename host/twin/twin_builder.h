@@ -8,6 +8,7 @@ namespace cleave {
 
 struct TwinResult {
     KdTree tree;
+    uint64_t peakBytes = 0;      // of the arrays that stand for the device's buffers
     bool memoryLimited = false;  // as GpuBuilder::Result
 };
 TwinResult buildTwin(const TriangleSet& set, const BuildSettings& settings);

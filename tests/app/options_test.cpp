@@ -119,7 +119,7 @@ TEST(Options, WrongUseNamesWhatThereIs) {
     for (const auto& wrong : std::vector<std::vector<const char*>>{{}, {"rendr"}, {"stability"}, {"report", "a.glb"}})
         expectRefused(wrong, "render, trace, info, bench, devices");
     expectRefused({"render", "--builder", "nope"}, "gpu, twin, exact");
-    expectRefused({"render", "--builder", "shevtsov"}, "gpu, twin, exact");
+    expectRefused({"render", "--builder", "havran"}, "gpu, twin, exact");
     expectRefused({"render", "--builder", "gpu,exact"}, "gpu, twin, exact");
     expectRefused({"bench", "a.glb", "--builder", "gpu,,exact"}, "''");
     expectRefused({"bench", "a.glb", "--builder", "gpu,gpu"}, "twice");

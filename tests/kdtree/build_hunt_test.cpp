@@ -121,23 +121,6 @@ TEST(Valley, IsTheLowestPlaceOfTheInterpolatedCost) {
     EXPECT_GT(inside, 50) << "the ends are no test of the parabola";
 }
 
-// A closed surface with bumps, about 4 side^2 triangles.
-TriangleSet bumpySphere(uint32_t side) {
-    const auto at = [&](uint32_t i, uint32_t j) {
-        const float u = 6.2831853f * static_cast<float>(i % (2 * side)) / static_cast<float>(2 * side);
-        const float v = 3.1415927f * static_cast<float>(j) / static_cast<float>(side);
-        const float r = 1.0f + 0.2f * std::sin(7.0f * u) * std::sin(5.0f * v);
-        return vec3(r * std::sin(v) * std::cos(u), r * std::sin(v) * std::sin(u), 0.7f * r * std::cos(v));
-    };
-    std::vector<Triangle> triangles;
-    for (uint32_t i = 0; i < 2 * side; ++i)
-        for (uint32_t j = 0; j < side; ++j) {
-            triangles.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
-            triangles.push_back({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
-        }
-    return makeTriangleSet(triangles);
-}
-
 double costOf(const KdTree& tree) { return computeStatistics(tree).sahCost.value(); }
 
 TEST(BuildHunt, SmallNodesAreSplitExactly) {
@@ -154,7 +137,8 @@ TEST(BuildHunt, SmallNodesAreSplitExactly) {
 
 // The project's bounds, on a surface and on loose triangles.
 TEST(BuildHunt, CostsLittleMoreThanExact) {
-    for (const TriangleSet& set : {bumpySphere(60), makeTriangleSet(test::soup(3, 5000, 0.02f))}) {
+    for (const TriangleSet& set :
+         {makeTriangleSet(test::bumpySphere(60)), makeTriangleSet(test::soup(3, 5000, 0.02f))}) {
         const double exact = costOf(buildExact(set, {}));
         EXPECT_LE(costOf(buildHuntAll(set, {})), 1.05 * exact);
         EXPECT_LE(costOf(buildHuntHybrid(set, {})), 1.05 * exact);

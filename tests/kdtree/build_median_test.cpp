@@ -63,7 +63,7 @@ TEST(BuildMedian, LeavesAxesOfDenormalExtentAlone) {
     ASSERT_LT(set.bounds.lo.z, set.bounds.hi.z);
     ASSERT_LT(set.bounds.hi.z - set.bounds.lo.z, kSmallestNormal);
     for (const auto build : {buildSpatialMedian, buildObjectMedian}) {
-        const KdTree tree = build(set, {});
+        const KdTree tree = build(set, {}, nullptr);
         EXPECT_GT(tree.nodes.size(), 100u);
         for (const KdNode& node : tree.nodes) EXPECT_NE(nodeAxis(node), 2u);
     }
@@ -73,8 +73,8 @@ TEST(BuildMedian, LeavesAxesOfDenormalExtentAlone) {
 TEST(BuildMedian, AxesAreChosenAsAsked) {
     const TriangleSet set = makeTriangleSet(std::vector<Triangle>{unitAt({0, 0, 0}), unitAt({0, 5, 0})});
     for (const auto build : {buildSpatialMedian, buildObjectMedian}) {
-        EXPECT_EQ(nodeAxis(build(set, stopAt(1, AxisChoice::cycle)).nodes[0]), 0u);
-        EXPECT_EQ(nodeAxis(build(set, stopAt(1, AxisChoice::widest)).nodes[0]), 1u);
+        EXPECT_EQ(nodeAxis(build(set, stopAt(1, AxisChoice::cycle), nullptr).nodes[0]), 0u);
+        EXPECT_EQ(nodeAxis(build(set, stopAt(1, AxisChoice::widest), nullptr).nodes[0]), 1u);
     }
     EXPECT_EQ(nodeAxis(buildSpatialMedian(set, stopAt(1, AxisChoice::all)).nodes[0]), 1u);
 }
@@ -85,7 +85,7 @@ TEST(BuildMedian, CyclesWithTheLevelAndSkipsFlatAxes) {
         flat.push_back({{t.a.x, t.a.y, 0}, {t.b.x, t.b.y, 0}, {t.c.x, t.c.y, 0}});
     const TriangleSet set = makeTriangleSet(flat);
     for (const auto build : {buildSpatialMedian, buildObjectMedian}) {
-        const KdTree tree = build(set, {});
+        const KdTree tree = build(set, {}, nullptr);
         uint32_t node = 0;
         for (const uint32_t axis : {0u, 1u, 0u, 0u}) {  // the third level would be z's
             ASSERT_NE(nodeAxis(tree.nodes[node]), kLeafAxis);
@@ -114,7 +114,7 @@ TEST(BuildMedian, CopiesReferencesAtMostSixteenTimes) {
         const TriangleSet set = makeTriangleSet(triangles);
         for (const auto build : {buildSpatialMedian, buildObjectMedian})
             for (const AxisChoice axes : {AxisChoice::cycle, AxisChoice::widest, AxisChoice::all}) {
-                const KdTree tree = build(set, stopAt(1, axes));
+                const KdTree tree = build(set, stopAt(1, axes), nullptr);
                 EXPECT_LE(computeStatistics(tree).references, 16u * 400u);
                 EXPECT_GT(tree.nodes.size(), 1u);
                 EXPECT_TRUE(validate(tree, set, depthLimit({}, 400)).ok());
@@ -127,7 +127,7 @@ TEST(BuildMedian, KeepsToTheDepthAsked) {
     BuildSettings settings = stopAt(1);
     settings.maxDepth = 5;
     for (const auto build : {buildSpatialMedian, buildObjectMedian})
-        EXPECT_EQ(computeStatistics(build(set, settings)).maxDepth, 5u);
+        EXPECT_EQ(computeStatistics(build(set, settings, nullptr)).maxDepth, 5u);
 }
 
 }  // namespace

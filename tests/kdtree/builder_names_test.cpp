@@ -88,7 +88,7 @@ TEST_P(EveryBuilder, GivesTheSameTreeTwice) {
 }
 
 TEST_P(EveryBuilder, IsFoundByItsName) {
-    EXPECT_EQ(cpuBuilder(GetParam().name).build, GetParam().build);
+    EXPECT_EQ(cpuBuilder(GetParam().name).function, GetParam().function);
     EXPECT_FALSE(GetParam().description.empty());
 }
 

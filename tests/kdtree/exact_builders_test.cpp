@@ -105,7 +105,7 @@ TEST(ExactBuilders, AgreeOnALargeSheet) {
             BuildSettings settings;
             settings.threads = threads;
             BuildReport report;
-            expectIdentical(buildExact(set, settings, report), expected);
+            expectIdentical(buildExact(set, settings, &report), expected);
             EXPECT_LE(report.peakBytes, 25 * 36 * set.included.size());
             EXPECT_GE(report.peakBytes, (sizeof(Event) * 6 + 28) * set.included.size()) << "the root's own";
         }
@@ -190,8 +190,8 @@ Work workOf(uint32_t n) {
     BuildSettings settings;
     settings.threads = 1;
     BuildReport once, perNode;
-    const KdTree tree = buildExact(set, settings, once);
-    buildExactNLog2N(set, settings, perNode);
+    const KdTree tree = buildExact(set, settings, &once);
+    buildExactNLog2N(set, settings, &perNode);
     EXPECT_EQ(once.eventsSwept, perNode.eventsSwept);
     const int axis = static_cast<int>(nodeAxis(tree.nodes[0]));
     const float plane = nodePosition(tree.nodes[0]);

@@ -1,6 +1,7 @@
 // Small scenes and rays for the tests of this folder. A seed fixes everything.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <random>
 #include <vector>
@@ -59,6 +60,23 @@ inline std::vector<Triangle> integerSoup(uint32_t seed, uint32_t count, uint32_t
 
 inline std::vector<Triangle> transformed(std::vector<Triangle> triangles, float factor, vec3 offset) {
     for (Triangle& t : triangles) t = {t.a * factor + offset, t.b * factor + offset, t.c * factor + offset};
+    return triangles;
+}
+
+// A closed surface with bumps, about 4 side^2 triangles.
+inline std::vector<Triangle> bumpySphere(uint32_t side) {
+    const auto at = [&](uint32_t i, uint32_t j) {
+        const float u = 6.2831853f * static_cast<float>(i % (2 * side)) / static_cast<float>(2 * side);
+        const float v = 3.1415927f * static_cast<float>(j) / static_cast<float>(side);
+        const float r = 1.0f + 0.2f * std::sin(7.0f * u) * std::sin(5.0f * v);
+        return vec3(r * std::sin(v) * std::cos(u), r * std::sin(v) * std::sin(u), 0.7f * r * std::cos(v));
+    };
+    std::vector<Triangle> triangles;
+    for (uint32_t i = 0; i < 2 * side; ++i)
+        for (uint32_t j = 0; j < side; ++j) {
+            triangles.push_back({at(i, j), at(i + 1, j), at(i, j + 1)});
+            triangles.push_back({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)});
+        }
     return triangles;
 }
 
