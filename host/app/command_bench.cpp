@@ -141,6 +141,7 @@ Json benchScene(Run& run, const std::filesystem::path& file) {
 }  // namespace
 
 void runBench(Run& run) {
+    if (run.options.survey) return runSurvey(run);
     if (run.options.json) requireWritable(*run.options.json);
     Json scenes = Json::array();
     for (const std::filesystem::path& file : run.options.scenes) scenes.push_back(benchScene(run, file));

@@ -9,6 +9,7 @@ void runRender(Run& run);
 void runTrace(Run& run);
 void runInfo(Run& run);
 void runBench(Run& run);
+void runSurvey(Run& run);  // bench --survey
 void runDevices(Run& run);
 
 }  // namespace cleave

@@ -239,6 +239,9 @@ void addBench(CLI::App& app, Options& options) {
     app.add_flag("--interior", options.interior, "primary rays from inside, for rooms");
     addBuild(app, options, true);
     addTraversal(app, options, true);
+    CLI::Option* survey =
+        app.add_flag("--survey", options.survey, "the survey's tables, measured again with each of its builders");
+    for (const char* fixed : {"--builder", "--traversal", "--triangle-test"}) survey->excludes(fixed);
     addOutput(app, options);
 }
 

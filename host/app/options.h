@@ -60,6 +60,7 @@ struct Options {
     std::vector<TriangleTest> triangleTests{TriangleTest::watertight};
     uint32_t runs = 5;
     bool interior = false;
+    bool survey = false;  // bench: the survey's builders and tables instead of `builders`
 };
 
 // A text to print instead of a run: help or version.

@@ -88,6 +88,7 @@ TEST(Options, OtherCommands) {
     EXPECT_EQ(bench.runs, 7u);
     EXPECT_TRUE(bench.interior);
     EXPECT_EQ(bench.builders, (std::vector{Builder::gpu, Builder::exact, Builder::twin}));
+    EXPECT_TRUE(parse({"bench", "a.glb", "--survey"}).survey);
     EXPECT_TRUE(parse({"info", "a.glb", "--validate"}).validate);
     EXPECT_EQ(parse({"devices"}).command, Command::devices);
 }
@@ -123,6 +124,7 @@ TEST(Options, WrongUseNamesWhatThereIs) {
     expectRefused({"render", "--builder", "gpu,exact"}, "gpu, twin, exact");
     expectRefused({"bench", "a.glb", "--builder", "gpu,,exact"}, "''");
     expectRefused({"bench", "a.glb", "--builder", "gpu,gpu"}, "twice");
+    expectRefused({"bench", "a.glb", "--survey", "--builder", "gpu"}, "--survey");
     expectRefused({"trace", "a.glb", "b.npy", "--traversal", "ropes"}, "restart");
     expectRefused({"render", "--view", "fog"}, "shaded, normals, depth, steps, leaves");
     expectRefused({"render", "--clip", "maybe"}, "on, off");
@@ -145,7 +147,7 @@ TEST(Options, OptionsOfLaterAreNotTakenYet) {
         expectRefused({"render", option, "4"}, option);
         expectRefused({"render", option, "4"}, "--size");
     }
-    for (const char* option : {"--peers", "--survey"}) expectRefused({"bench", "a.glb", option}, "--runs");
+    expectRefused({"bench", "a.glb", "--peers"}, "--runs");
     expectRefused({"trace", "a.glb", "r.npy", "--all", "3"}, "--any");
     expectRefused({"info", "a.glb", "--check", "3"}, "--validate");
     expectRefused({"render", "a.glb", "b.glb"}, "b.glb");

@@ -262,6 +262,25 @@ TEST_F(Program, BenchShowsBuildersSideBySide) {
     EXPECT_EQ(report["check"]["rays"], 3 * 64);
 }
 
+TEST_F(Program, BenchOfTheSurveyMeasuresEveryBuilder) {
+    const Outcome outcome =
+        runCleave({"bench", scene_, "--survey", "--runs", "2", "--check", "64", "--json", at("s.json")});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    for (const char* part : {"Table 5.1", "Table 6.1", "Table 6.2", "Table 7.1", "Section 5", "hunt-hybrid", "12.7m"})
+        EXPECT_NE(outcome.out.find(part), std::string::npos) << part << " in\n" << outcome.out;
+    const Json report = reportOf("s.json");
+    EXPECT_EQ(report["scene"]["triangles"], 1);
+    EXPECT_TRUE(report["survey"]["model"].is_null());
+    ASSERT_GE(report["survey"]["builders"].size(), 8u);
+    for (const Json& builder : report["survey"]["builders"]) {
+        EXPECT_EQ(builder["allThreadsMs"].size(), 2u);
+        EXPECT_EQ(builder["oneThreadMs"].size(), builder["builder"] == "gpu" ? 0u : 2u);
+        EXPECT_EQ(builder["primaryMs"].size(), 2u);
+        EXPECT_EQ(builder["check"]["rays"], 2 * 64);
+        EXPECT_EQ(builder["check"]["mismatches"], 0);
+    }
+}
+
 TEST_F(Program, DevicesListsThem) {
     const Outcome outcome = runCleave({"devices", "--json", at("d.json")});
     ASSERT_EQ(outcome.status, 0) << outcome.err;

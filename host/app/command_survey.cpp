@@ -1,0 +1,70 @@
+// `cleave bench --survey`: the tables of the survey, measured again.
+#include "app/commands.h"
+#include "app/json_report.h"
+#include "app/survey_tables.h"
+#include "app/text.h"
+#include "app/write_file.h"
+
+namespace cleave {
+namespace {
+
+Json lawJson(const StraddlingLaw& law) {
+    if (law.octaves < 2) return nullptr;
+    return {{"factor", numberJson(law.factor)}, {"exponent", numberJson(law.exponent)}, {"octaves", law.octaves}};
+}
+
+Json reportJson(const BuildReport& report) {
+    return {{"peakBytes", report.peakBytes}, {"eventsSwept", report.eventsSwept}, {"sortSteps", report.sortSteps}};
+}
+
+Json builderJson(const SurveyBuilder& b) {
+    const auto optional = [](std::optional<double> value) { return value ? numberJson(*value) : Json(nullptr); };
+    return {{"builder", nameOf(b.builder)},
+            {"oneThreadMs", b.oneThread},
+            {"allThreadsMs", b.allThreads},
+            {"uploadMs", b.upload},
+            {"primaryMs", b.primary},
+            {"diffuseMs", b.diffuse},
+            {"rayCost", numberJson(b.rayCost)},
+            {"sahCost", optional(b.statistics.sahCost)},
+            {"references", b.statistics.references},
+            {"nodes", b.statistics.nodes},
+            {"treeHash", b.hash},
+            {"check", checkJson(b.check)}};
+}
+
+Json surveyJson(const SurveyScene& scene) {
+    Json builders = Json::array();
+    for (const SurveyBuilder& b : scene.builders) builders.push_back(builderJson(b));
+    const SurveyComplexity& c = scene.complexity;
+    return {{"model", scene.model != nullptr ? Json(scene.model->name) : Json(nullptr)},
+            {"standsIn", scene.standsIn},
+            {"rays", scene.rays},
+            {"builders", builders},
+            {"complexity",
+             {{"exact", reportJson(c.once)},
+              {"exact-nlog2n", reportJson(c.perNode)},
+              {"straddling", lawJson(c.straddling)},
+              {"straddlingOverRoot", numberJson(c.worstCut)}}}};
+}
+
+}  // namespace
+
+void runSurvey(Run& run) {
+    if (run.options.json) requireWritable(*run.options.json);
+    std::vector<SurveyScene> scenes;
+    Json reports = Json::array();
+    for (const std::filesystem::path& file : run.options.scenes) {
+        Session session(run, file);
+        scenes.push_back(measureForSurvey(run, session, file));
+        reports.push_back({{"scene", sceneJson(session)}, {"survey", surveyJson(scenes.back())}});
+    }
+    const uint32_t threads = run.options.settings.threads;
+    run.print(oneLine(run.device.name().value_or("")) + ", median of " + std::to_string(run.options.runs) +
+              ", builders take turns; ratios are of these medians\n\n" + surveyTables(scenes, threads));
+    Json report = reports.size() == 1 ? reports.front() : Json{{"scenes", reports}};
+    report["threads"] = threads;
+    writeReport(run, report);
+}
+
+}  // namespace cleave

@@ -1,0 +1,55 @@
+// What `cleave bench --survey` measures of a scene.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/session.h"
+#include "app/survey_published.h"
+#include "kdtree/builders.h"
+#include "kdtree/straddling.h"
+
+namespace cleave {
+
+// One builder. Each vector has an entry per run, in ms, or none where that was not measured.
+struct SurveyBuilder {
+    Builder builder = Builder::exact;
+    std::vector<double> oneThread;   // builds with one thread; CPU builders only
+    std::vector<double> allThreads;  // with --threads; GPU: on the device
+    std::vector<double> upload;      // of the tree; none for GPU builds
+    std::vector<double> primary;     // rays on the device, restart traversal
+    std::vector<double> diffuse;
+    double rayCost = 0.0;  // what the SAH predicts, counted: costs of nodes visited and triangles tested, per ray
+    TreeStatistics statistics;
+    std::string hash;
+    CheckResult check;  // of the rays that were judged before any time was taken
+};
+
+// What the exact builds counted, and what their tree says.
+struct SurveyComplexity {
+    BuildReport once;     // exact
+    BuildReport perNode;  // exact-nlog2n
+    StraddlingLaw straddling;
+    double worstCut = 0.0;  // largest straddling / sqrt(triangles) among nodes of 64 triangles and more
+};
+
+struct SurveyScene {
+    std::string name;                    // of the file, without folder and extension
+    const SurveyModel* model = nullptr;  // that it is or stands in for
+    bool standsIn = false;               // its name is not the model's
+    uint64_t triangles = 0;              // of the tree: those left out are not counted
+    uint64_t rays = 0;                   // per set
+    std::vector<SurveyBuilder> builders;
+    SurveyComplexity complexity;
+
+    // Null if the builder was not measured.
+    const SurveyBuilder* find(std::string_view builder) const;
+};
+
+// Builds and traces with every builder of the survey that there is, after judging a sample of the rays. Builders take
+// turns, so that what else the machine does disturbs all alike. Throws Error if an answer is wrong, or if the two exact
+// builds differ.
+SurveyScene measureForSurvey(Run& run, Session& session, const std::filesystem::path& file);
+
+}  // namespace cleave
