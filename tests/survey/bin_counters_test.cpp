@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kdtree/binning.h"
 #include "kdtree/support_scenes.h"
 #include "shared/build.h"
 #include "twin/passes.h"
@@ -133,6 +134,37 @@ TEST(BinCounters, OfThePassEqualCountingTriangles) {
             expectPassCounts(makeTriangleSet(triangles), bins, subsample);
             if (HasFatalFailure()) return;
         }
+}
+
+// The same on three axes at once, as shevtsov's builder counts them: a family along each.
+TEST(BinCounters, OfSeveralAxesAtOnceEqualCountingIntervals) {
+    uint32_t resolved = 0;
+    for (uint32_t bins = 2; bins <= 32; ++bins)
+        for (uint32_t seed = 0; seed < 60; ++seed) {
+            SCOPED_TRACE(testing::Message() << bins << " bins, seed " << seed);
+            std::vector<Interval> along[3];
+            for (uint32_t axis = 0; axis < 3; ++axis)
+                along[axis] = intervals(kFamilies[(seed + axis * (1 + seed / 6)) % 6], 7 * seed + axis, bins);
+            const size_t count = std::min({along[0].size(), along[1].size(), along[2].size()});
+            std::vector<ClippedRef> refs(count);
+            for (size_t i = 0; i < count; ++i)
+                for (int axis = 0; axis < 3; ++axis) {
+                    refs[i].box.lo[axis] = along[axis][i].lo;
+                    refs[i].box.hi[axis] = along[axis][i].hi;
+                }
+            const uint32_t step = 1 + seed % 4;
+            Bins counted;
+            fillBins(counted, refs, boundsOf(refs), bins, step);
+            for (uint32_t axis = 0; axis < 3; ++axis) {
+                std::vector<Interval> sampled;
+                for (size_t i = 0; i < count; i += step) sampled.push_back(along[axis][i]);
+                if (!isResolved(counted.range[axis])) continue;
+                ++resolved;
+                expectCounts(sampled, counted.range[axis], counted.starts(axis), counted.ends(axis));
+                if (HasFatalFailure()) return;
+            }
+        }
+    EXPECT_GT(resolved, 31u * 60u) << "too few were looked at";
 }
 
 }  // namespace
