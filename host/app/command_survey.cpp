@@ -21,6 +21,7 @@ Json builderJson(const SurveyBuilder& b) {
     const auto optional = [](std::optional<double> value) { return value ? numberJson(*value) : Json(nullptr); };
     return {{"builder", nameOf(b.builder)},
             {"oneThreadMs", b.oneThread},
+            {"oneThreadCpuMs", b.oneCpu},
             {"allThreadsMs", b.allThreads},
             {"uploadMs", b.upload},
             {"primaryMs", b.primary},

@@ -16,6 +16,7 @@ namespace cleave {
 struct SurveyBuilder {
     Builder builder = Builder::exact;
     std::vector<double> oneThread;   // builds with one thread; CPU builders only
+    std::vector<double> oneCpu;      // the processor's time of these: others' load does not count
     std::vector<double> allThreads;  // with --threads; GPU: on the device
     std::vector<double> upload;      // of the tree; none for GPU builds
     std::vector<double> primary;     // rays on the device, restart traversal
