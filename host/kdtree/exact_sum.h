@@ -32,6 +32,10 @@ class ExactSum {
         add(std::fma(a, b, -product));
         add(product);
     }
+    // Adds factor * other: exact where the products of the terms' last bits are in the range of double.
+    void addMultiple(const ExactSum& other, double factor) {
+        for (size_t i = 0; i < other.size_; ++i) addProduct(other.terms_[i], factor);
+    }
     // The largest term decides, since all the others together are smaller than its last place.
     int sign() const { return size_ == 0 ? 0 : terms_[size_ - 1] > 0.0 ? 1 : -1; }
     // The sum, with a relative error of at most 2^-51.

@@ -22,7 +22,12 @@ Hit bruteForce(const TriangleSet& set, const Ray& ray, Query query);
 Hit stackWalk(const KdTree& tree, const TriangleSet& set, const Ray& ray, Query query);
 
 // The reference: independent, wider arithmetic on the world-space triangles; judges the triangle function too. Hit or
-// miss is decided by the exact sign of determinants where double's error bound does not decide it.
+// miss is decided by the exact sign of determinants where double's error bound does not decide it, and t has a relative
+// error of at most 2^-98. So nothing about the geometry is ever left open; what may be undecided is
+// - whether t lies in the ray's interval, where t is within a rounding of float of one of its ends (or of the largest
+//   float): t is rounded before it is compared;
+// - an answer that is wrong by the exact signs, where the ray passes an edge of the triangle at fault within 4 units in
+//   the last place of that edge's largest coordinate. An answer that is right there is right.
 class Reference {
   public:
     explicit Reference(std::span<const Triangle> world, std::span<const uint32_t> included);
@@ -31,9 +36,14 @@ class Reference {
     Reference& operator=(const Reference&) = delete;
 
     enum class Verdict { agrees, mismatch, undecided };
+    // What a mismatch is, and what an undecided ray would be if it were one: another t or triangle than the reference
+    // has; a miss where it hits; a hit where it misses.
+    enum class Fault { none, wrong, missed, falseHit };
     struct Judgement {
         Verdict verdict = Verdict::agrees;
-        double relativeTError = 0.0;  // |t - tRef| / tRef of hits that agree
+        Fault fault = Fault::none;
+        double relativeTError = 0.0;  // |t - tRef| / tRef of closest hits that agree
+        double ulpTError = 0.0;       // the same in units in the last place of tRef as a float
     };
     // Judges one answer to one ray (a mismatch: hit or miss differs, or |t - tRef| > 1e-6 tRef, or the number differs
     // and the reference does not find the reported triangle at that t). For Query::any hit or miss only.

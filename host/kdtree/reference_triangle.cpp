@@ -1,8 +1,10 @@
 #include "kdtree/reference_triangle.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "kdtree/exact_sum.h"
+#include "shared/scale.h"
 
 namespace cleave {
 namespace {
@@ -43,22 +45,31 @@ int edgeSign(const Estimate& e, const Ray& ray, const vec3& p, const vec3& q) {
 }
 
 // det(a - o, b - o, c - o): the triangle's normal times the way from the origin to its plane.
-double exactHeight(const Ray& ray, const Triangle& t) {
+ExactSum exactHeight(const Ray& ray, const Triangle& t) {
     ExactSum sum;
     addDeterminant(sum, t.a, t.b, t.c, 1.0);
     addDeterminant(sum, ray.origin, t.b, t.c, -1.0);
     addDeterminant(sum, t.a, ray.origin, t.c, -1.0);
     addDeterminant(sum, t.a, t.b, ray.origin, -1.0);
-    return sum.value();
+    return sum;
 }
 
 // The normal times the direction, which is the sum of the three edges' determinants.
-double exactSlope(const Ray& ray, const Triangle& t) {
+ExactSum exactSlope(const Ray& ray, const Triangle& t) {
     ExactSum sum;
     addEdge(sum, ray, t.b, t.c);
     addEdge(sum, ray, t.c, t.a);
     addEdge(sum, ray, t.a, t.b);
-    return sum.value();
+    return sum;
+}
+
+// The distance from the origin to the segment from p to q, in the plane across the unit vector d.
+double distanceAcross(const dvec3& d, const dvec3& p, const dvec3& q) {
+    const dvec3 from = p - glm::dot(p, d) * d, to = q - glm::dot(q, d) * d;
+    const dvec3 way = to - from;
+    const double length2 = glm::dot(way, way);
+    const double part = length2 > 0.0 ? std::clamp(-glm::dot(from, way) / length2, 0.0, 1.0) : 0.0;
+    return glm::length(from + part * way);
 }
 
 }  // namespace
@@ -74,9 +85,33 @@ LineHit intersectLine(const Ray& ray, const Triangle& t) {
 
     const Estimate height = determinant(a, b, c);
     const Estimate slope{atA.value + atB.value + atC.value, atA.magnitude + atB.magnitude + atC.magnitude};
-    const double numerator = height.isPrecise() ? height.value : exactHeight(ray, t);
-    const double denominator = slope.isPrecise() ? slope.value : exactSlope(ray, t);
+    const double numerator = height.isPrecise() ? height.value : exactHeight(ray, t).value();
+    const double denominator = slope.isPrecise() ? slope.value : exactSlope(ray, t).value();
     return {true, numerator / denominator, 10.0 * Estimate::kBound * height.magnitude / std::fabs(denominator)};
+}
+
+PreciseT preciseT(const Ray& ray, const Triangle& t) {
+    ExactSum residual = exactHeight(ray, t);
+    const ExactSum slope = exactSlope(ray, t);
+    const double denominator = slope.value();
+    const double high = residual.value() / denominator;
+    residual.addMultiple(slope, -high);
+    return {high, residual.value() / denominator};
+}
+
+bool passesNearEdge(const Ray& ray, const Triangle& t, double ulps) {
+    // Directions of any length become unit vectors: largest component first, so that squares stay in range.
+    const dvec3 direction(ray.direction);
+    const dvec3 scaled = direction / double{largestComponent(ray.direction)};
+    const dvec3 d = scaled / glm::length(scaled), o(ray.origin);
+    const vec3* corners[] = {&t.a, &t.b, &t.c};
+    for (int i = 0; i < 3; ++i) {
+        const vec3 &p = *corners[i], &q = *corners[(i + 1) % 3];
+        const float largest = std::max({largestComponent(p), largestComponent(q), kSmallestNormal});
+        const double ulp = std::ldexp(1.0, binaryExponent(largest) - 23);
+        if (distanceAcross(d, dvec3(p) - o, dvec3(q) - o) <= ulps * ulp) return true;
+    }
+    return false;
 }
 
 }  // namespace cleave
