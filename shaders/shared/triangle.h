@@ -4,7 +4,7 @@
 // 1997, with a bound on their error) throws out clear misses; everything else is decided in double for the unmoved
 // vertices, in the plane across the ray (Woop, Benthin and Wald 2013). Each vertex is projected by itself, so all its
 // triangles see it in the same place, and the sign of an edge is that of the exact determinant of two projected
-// vertices, or 0, which counts as inside: no ray slips through an edge or a vertex. (d . (A x B) in double would be
+// vertices; 0 counts as inside: no ray slips through an edge or a vertex. (d . (A x B) in double would be
 // antisymmetric, too, but its rounding can turn the signs around a vertex into a circle that no triangle accepts.) t is
 // evaluated to within a rounding of float. The filter only ever says "clear miss", so it cannot disagree.
 #ifndef CLEAVE_SHARED_TRIANGLE_H
@@ -85,23 +85,53 @@ CLEAVE_FN bool clearlyMisses(vec3 origin, vec3 direction, vec3 a, vec3 b, vec3 c
     return min(u, min(v, w)) < -bound && max(u, max(v, w)) > bound;
 }
 
-// Where a vertex lies as seen along the ray, times d[k]: Woop's shear (2013,
-// section 3.1) without its division.
-CLEAVE_FN dvec3 shearedAlong(dvec3 d, uint k, dvec3 v) {
+// (a - b) - (c - d) to within a rounding of double, also where nearly all of it cancels: Knuth's TWO-SUM keeps what
+// each difference loses.
+CLEAVE_FN double differenceOfDifferences(double a, double b, double c, double d) {
+    precise double ab = a - b;
+    precise double abPart = ab - a;
+    precise double abRest = (a - (ab - abPart)) - (b + abPart);
+    precise double cd = c - d;
+    precise double cdPart = cd - c;
+    precise double cdRest = (c - (cd - cdPart)) - (d + cdPart);
+    precise double sum = ab - cd;
+    precise double sumPart = sum - ab;
+    precise double sumRest = (ab - (sum - sumPart)) - (cd + sumPart);
+    precise double rest = sumRest + (abRest - cdRest);
+    return sum + rest;
+}
+
+// Where a vertex lies as seen along the ray, times d[k]: Woop's shear (2013, section 3.1) without its division.
+// Products of floats are exact in double, so the result errs by a rounding of itself, not of the way from the origin: a
+// ray from far away sees a tiny triangle as sharply as one from near by.
+CLEAVE_FN dvec3 shearedAlong(dvec3 o, dvec3 d, uint k, dvec3 v) {
     uint i = k < 2u ? k + 1u : 0u;
     uint j = k > 0u ? k - 1u : 2u;
-    precise double x0 = v[i] * d[k];
-    precise double x1 = v[k] * d[i];
-    precise double y0 = v[j] * d[k];
-    precise double y1 = v[k] * d[j];
-    return dvec3(x0 - x1, y0 - y1, 0.0);
+    return dvec3(differenceOfDifferences(v[i] * d[k], v[k] * d[i], o[i] * d[k], o[k] * d[i]),
+                 differenceOfDifferences(v[j] * d[k], v[k] * d[j], o[j] * d[k], o[k] * d[j]), 0.0);
 }
-// Rounding is monotone, so the difference of two rounded products has the sign
-// of the exact one, or is 0.
+// What rounding took from a * b, exactly (Dekker 1971, Veltkamp's split at 27 bits); `product` is a * b, rounded.
+CLEAVE_FN double productRest(double a, double b, double product) {
+    precise double aBig = double(134217729u) * a;
+    precise double aHigh = aBig - (aBig - a);
+    precise double aLow = a - aHigh;
+    precise double bBig = double(134217729u) * b;
+    precise double bHigh = bBig - (bBig - b);
+    precise double bLow = b - bHigh;
+    precise double rest = ((aHigh * bHigh - product) + aHigh * bLow) + aLow * bHigh;
+    rest = rest + aLow * bLow;
+    return rest;
+}
+
+// Which side of the edge from a to b the ray passes, with the exact sign: rounding is monotone, so a difference of
+// rounded products has it or is 0, and then what was rounded off decides. (Without that a triangle 2^53 times smaller
+// than its distance from the ray is hit: its edges would all come out as 0.)
 CLEAVE_FN double edgeSide(dvec3 a, dvec3 b) {
     precise double xy = a.x * b.y;
     precise double yx = a.y * b.x;
-    return xy - yx;
+    precise double side = xy - yx;
+    if (side != 0.0) return side;
+    return productRest(a.x, b.y, xy) - productRest(a.y, b.x, yx);
 }
 
 CLEAVE_FN dvec3 shorterOf(dvec3 v, dvec3 w) { return preciseDot(w, w) < preciseDot(v, v) ? w : v; }
@@ -117,9 +147,9 @@ CLEAVE_FN Hit resolveTriangle(vec3 origin, vec3 direction, vec3 va, vec3 vb, vec
     dvec3 c = dvec3(vc) - o;
     uint k = abs(direction.x) >= abs(direction.y) ? 0u : 1u;
     if (abs(direction.z) > abs(direction[k])) k = 2u;
-    dvec3 sa = shearedAlong(d, k, a);
-    dvec3 sb = shearedAlong(d, k, b);
-    dvec3 sc = shearedAlong(d, k, c);
+    dvec3 sa = shearedAlong(o, d, k, dvec3(va));
+    dvec3 sb = shearedAlong(o, d, k, dvec3(vb));
+    dvec3 sc = shearedAlong(o, d, k, dvec3(vc));
     double wa = edgeSide(sb, sc);
     double wb = edgeSide(sc, sa);
     double wc = edgeSide(sa, sb);
