@@ -23,11 +23,12 @@ Hit stackWalk(const KdTree& tree, const TriangleSet& set, const Ray& ray, Query 
 
 // The reference: independent, wider arithmetic on the world-space triangles; judges the triangle function too. Hit or
 // miss is decided by the exact sign of determinants where double's error bound does not decide it, and t has a relative
-// error of at most 2^-98. So nothing about the geometry is ever left open; what may be undecided is
-// - whether t lies in the ray's interval, where t is within a rounding of float of one of its ends (or of the largest
-//   float): t is rounded before it is compared;
-// - an answer that is wrong by the exact signs, where the ray passes an edge of the triangle at fault within 4 units in
-//   the last place of that edge's largest coordinate. An answer that is right there is right.
+// error of at most 2^-98. So nothing about the ray is ever left open; what is called undecided is
+// an answer that differs from the exact one
+// - where a t is within a rounding of float of an end of the ray's interval, or of the largest float;
+// - where the ray passes an edge of the triangle at fault within 4 units in the last place of that edge's largest
+//   coordinate.
+// An answer that is right there is right.
 class Reference {
   public:
     explicit Reference(std::span<const Triangle> world, std::span<const uint32_t> included);
@@ -42,8 +43,13 @@ class Reference {
     struct Judgement {
         Verdict verdict = Verdict::agrees;
         Fault fault = Fault::none;
-        double relativeTError = 0.0;  // |t - tRef| / tRef of closest hits that agree
-        double ulpTError = 0.0;       // the same in units in the last place of tRef as a float
+        // Of closest hits that agree: |t - tRef| / tRef; 0 where cancellation makes |tRef| less than its error in
+        // double.
+        double relativeTError = 0.0;
+        // The same in units in the last place of tRef as a float; 0 where double's error is more than half of one.
+        double ulpTError = 0.0;
+        double referenceT = 0.0;  // the reference's own answer, where it is a fault
+        uint32_t referencePrim = kNone;
     };
     // Judges one answer to one ray (a mismatch: hit or miss differs, or |t - tRef| > 1e-6 tRef, or the number differs
     // and the reference does not find the reported triangle at that t). For Query::any hit or miss only.

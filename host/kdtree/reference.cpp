@@ -15,26 +15,32 @@ constexpr double kEndTolerance = 0x1p-23;  // of an end of the interval: t is co
 constexpr double kLargestT = 0x1.fffffep127;
 constexpr double kSmallestT = 0x1p-126;  // what is smaller is flushed
 
-// What the reference knows about a ray. A hit is doubtful where its t is so close to an end of the ray's interval that
-// the rounding of t to float decides whether it counts, or where it is beyond the range of float.
+// What the reference knows about a ray: the closest hit whose t, rounded to float once, is in the ray's interval. That
+// is doubtful where t is so close to an end of the interval, or to the largest float, that double's error may decide
+// it.
 struct Answer {
     double t = kNever;
     double low = 0.0;  // PreciseT::low of t
     double slack = 0.0;
     uint32_t prim = kNone;
-    double doubtfulT = kNever;
+    double doubtfulT = kNever;  // the smallest doubtful t, whether it is in the interval or not
+
+    bool isDoubtful() const { return doubtfulT < kNever && doubtfulT <= t * (1.0 + kTolerance) + slack; }
 };
 
-enum class Range { inside, doubtful, outside };
+// Rounded to float once, as answers are before they are compared.
+bool isInside(double t, const Ray& ray) {
+    const double largest = std::numeric_limits<float>::max();
+    if (t > largest) return false;
+    const auto rounded = static_cast<float>(std::max(t, -largest));
+    return rounded >= ray.tMin && rounded <= ray.tMax;
+}
 
-Range rangeOf(const LineHit& hit, const Ray& ray) {
+bool isNearAnEnd(const LineHit& hit, const Ray& ray) {
     const double lo = ray.tMin, hi = ray.tMax;
     const double loMargin = kEndTolerance * lo + hit.slack;
     const double hiMargin = std::isinf(hi) ? 0.0 : kEndTolerance * hi + hit.slack;
-    if (hit.t < lo - loMargin || hit.t > hi + hiMargin) return Range::outside;
-    if (hit.t >= kLargestT) return Range::doubtful;
-    if (hit.t == lo && lo == 0.0 && hit.slack == 0.0) return Range::inside;
-    return hit.t < lo + loMargin || (hiMargin > 0.0 && hit.t > hi - hiMargin) ? Range::doubtful : Range::inside;
+    return std::fabs(hit.t - lo) < loMargin || std::fabs(hit.t - hi) < hiMargin || hit.t >= kLargestT;
 }
 
 bool isSameT(double t, double reference, double slack) {
@@ -59,9 +65,8 @@ struct Reference::Impl {
             if (!hit.hits || hit.t - hit.slack > limit()) return;
             const PreciseT t = preciseT(ray, world[prim]);
             hit.t = t.high;
-            const Range range = rangeOf(hit, ray);
-            if (range == Range::doubtful) best.doubtfulT = std::min(best.doubtfulT, hit.t);
-            if (range != Range::inside || hit.t > best.t || (hit.t == best.t && t.low >= best.low)) return;
+            if (isNearAnEnd(hit, ray)) best.doubtfulT = std::min(best.doubtfulT, hit.t);
+            if (!isInside(hit.t, ray) || hit.t > best.t || (hit.t == best.t && t.low >= best.low)) return;
             best.t = hit.t;
             best.low = t.low;
             best.slack = hit.slack;
@@ -79,10 +84,15 @@ struct Reference::Impl {
     bool isKnown(uint32_t prim) const { return prim < isIncluded.size() && isIncluded[prim]; }
 
     // A fault counts unless the ray passes too close to an edge of the triangle that was missed or made up.
-    Judgement faulty(const Ray& ray, Fault fault, uint32_t atFault) const {
+    Judgement faulty(const Ray& ray, const Answer& reference, Fault fault, uint32_t atFault) const {
         constexpr double kUlps = 4.0;
-        const bool excused = isKnown(atFault) && passesNearEdge(ray, world[atFault], kUlps);
-        return {excused ? Verdict::undecided : Verdict::mismatch, fault};
+        const bool nearEdge = isKnown(atFault) && passesNearEdge(ray, world[atFault], kUlps);
+        return {nearEdge || reference.isDoubtful() ? Verdict::undecided : Verdict::mismatch,
+                fault,
+                0.0,
+                0.0,
+                reference.t,
+                reference.prim};
     }
 };
 
@@ -96,25 +106,26 @@ Reference::~Reference() = default;
 // The error of a hit that agrees. Below the smallest normal float there is none: answers are flushed there.
 Reference::Judgement Reference::Impl::agreeing(const Hit& hit, const Answer& reference) {
     const double error = std::fabs((hit.t - reference.t) - reference.low);
-    if (error <= kSmallestT) return {};
-    const double ulp = std::ldexp(1.0, std::max(std::ilogb(reference.t), -126) - 23);
-    return {Verdict::agrees, Fault::none, error / reference.t, error / ulp};
+    Judgement judgement;
+    if (error <= kSmallestT || reference.t <= reference.slack) return judgement;
+    judgement.relativeTError = error / reference.t;
+    const double ulp = std::ldexp(1.0, std::ilogb(reference.t) - 23);
+    if (reference.slack <= 0.5 * ulp) judgement.ulpTError = error / ulp;
+    return judgement;
 }
 
 Reference::Judgement Reference::judge(const Ray& ray, const Hit& hit, Query query) const {
     const bool isHit = hit.prim != kNone;
     if (!isValidRay(ray)) return isHit ? Judgement{Verdict::mismatch, Fault::falseHit} : Judgement{};
     const Answer reference = impl_->answer(ray);
-    const bool isCertainHit = reference.prim != kNone;
-    if (!isCertainHit && reference.doubtfulT < kNever) return {Verdict::undecided};
-    if (!isHit) return isCertainHit ? impl_->faulty(ray, Fault::missed, reference.prim) : Judgement{};
-    if (!isCertainHit) return impl_->faulty(ray, Fault::falseHit, hit.prim);
+    const bool isReferenceHit = reference.prim != kNone;
+    const auto faulty = [&](Fault fault, uint32_t atFault) { return impl_->faulty(ray, reference, fault, atFault); };
+    if (!isHit) return isReferenceHit ? faulty(Fault::missed, reference.prim) : Judgement{};
+    if (!isReferenceHit) return faulty(Fault::falseHit, hit.prim);
     if (query == Query::any) return {};
-    if (reference.doubtfulT < kNever && reference.doubtfulT <= reference.t * (1.0 + kTolerance))
-        return {Verdict::undecided};
     if (!isSameT(hit.t, reference.t, reference.slack))
-        return impl_->faulty(ray, Fault::wrong, hit.t > reference.t ? reference.prim : hit.prim);
-    if (hit.prim != reference.prim && !impl_->finds(ray, hit)) return impl_->faulty(ray, Fault::wrong, hit.prim);
+        return faulty(Fault::wrong, hit.t > reference.t ? reference.prim : hit.prim);
+    if (hit.prim != reference.prim && !impl_->finds(ray, hit)) return faulty(Fault::wrong, hit.prim);
     return Impl::agreeing(hit, reference);
 }
 

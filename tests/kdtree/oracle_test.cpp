@@ -164,6 +164,7 @@ TEST_F(Judge, LeavesTheEndsOfTheIntervalUndecided) {
     Ray ending = ray;
     ending.tMax = 1.0f;
     EXPECT_EQ(of(ending, missedHit()), kUndecided);
+    EXPECT_EQ(of(ending, {1.0f, 0, 0, 0}), kAgrees);
     ending.tMax = 0.999f;
     EXPECT_EQ(of(ending, missedHit()), kAgrees);
     Ray touching = ray;
