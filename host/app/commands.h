@@ -10,6 +10,8 @@ void runTrace(Run& run);
 void runInfo(Run& run);
 void runBench(Run& run);
 void runSurvey(Run& run);  // bench --survey
+void runStability(Run& run);
+void runLeaks(Run& run);  // of stability --leaks
 void runDevices(Run& run);
 
 }  // namespace cleave

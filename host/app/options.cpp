@@ -12,14 +12,16 @@
 #include "app/option_values.h"
 #include "error.h"
 #include "kdtree/builder_names.h"
+#include "stability/cases.h"
 
 namespace cleave {
 namespace {
 
-constexpr std::array<std::pair<const char*, Command>, 5> kCommands = {{{"render", Command::render},
+constexpr std::array<std::pair<const char*, Command>, 6> kCommands = {{{"render", Command::render},
                                                                        {"trace", Command::trace},
                                                                        {"info", Command::info},
                                                                        {"bench", Command::bench},
+                                                                       {"stability", Command::stability},
                                                                        {"devices", Command::devices}}};
 constexpr std::array<std::pair<const char*, View>, 5> kViews = {{{"shaded", View::shaded},
                                                                  {"normals", View::normals},
@@ -245,6 +247,39 @@ void addBench(CLI::App& app, Options& options) {
     addOutput(app, options);
 }
 
+void addCases(CLI::App& app, Options& options) {
+    const auto read = [&options](const std::string& given) {
+        options.cases = CLI::detail::split(given, ',');
+        std::string known;
+        for (const StabilityCase& made : stabilityCases())
+            known += (known.empty() ? "" : ", ") + std::string(made.name);
+        for (const std::string& name : options.cases)
+            if (std::none_of(stabilityCases().begin(), stabilityCases().end(),
+                             [&](const StabilityCase& made) { return made.name == name; }))
+                throw CLI::ValidationError("--cases", "'" + name + "' is not known; there is: " + known);
+    };
+    app.add_option_function<std::string>("--cases", read, "these cases only")->type_name("NAME,...");
+}
+
+constexpr uint64_t kLeakRays = 100'000'000;
+
+void addStability(CLI::App& app, Options& options) {
+    app.add_option("SCENE", options.scenes, ".gltf or .glb, further cases")->type_name("FILE");
+    app.add_flag("--quick", options.quick, "fewer rays and builders, smaller scenes: about a minute");
+    addCases(app, options);
+    addWhole(app, "--rays", "rays per case and family (4000; quick: 400)", options.rayCount, 1, 1u << 24);
+    const auto leaks = [&options](const std::string& given) {
+        options.leaks = given.empty() ? kLeakRays : parseWhole(given, 1, uint64_t{1} << 40);
+        if (!options.leaks) throw CLI::ValidationError("--leaks", "'" + given + "' is not a whole number above 0");
+    };
+    app.add_option_function<std::string>("--leaks", leaks, "only: N rays (100,000,000) from inside of closed meshes")
+        ->type_name("N")
+        ->expected(0, 1);
+    addWhole(app, "--seed", "of all cases and rays (1)", options.seed, 0, UINT64_MAX);
+    addBuild(app, options, true);
+    addOutput(app, options);
+}
+
 std::unique_ptr<CLI::App> makeApp(Options& options) {
     auto app =
         std::make_unique<CLI::App>("cleave: ray queries on any Vulkan device, through kd-trees built there", "cleave");
@@ -254,6 +289,9 @@ std::unique_ptr<CLI::App> makeApp(Options& options) {
     addTrace(*app->add_subcommand("trace", "answer the rays of a file"), options);
     addInfo(*app->add_subcommand("info", "describe a scene and its tree"), options);
     addBench(*app->add_subcommand("bench", "time builds and rays, after checking them"), options);
+    addStability(
+        *app->add_subcommand("stability", "look for wrong answers: stiff cases, all builders, all kinds of rays"),
+        options);
     addOutput(*app->add_subcommand("devices", "list what Vulkan offers here and what would be used"), options);
     return app;
 }
@@ -310,6 +348,8 @@ Request parseCommandLine(int argc, const char* const* argv) {
         throw UsageError(std::string(error.what()) + " (see: cleave " + (first.starts_with("-") ? "" : first + " ") +
                          "--help)");
     }
+    if (options.command == Command::stability && app->get_subcommand("stability")->count("--builder") == 0)
+        options.builders.clear();
     complete(options);
     return options;
 }

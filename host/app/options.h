@@ -17,7 +17,7 @@
 
 namespace cleave {
 
-enum class Command { render, trace, info, bench, devices };
+enum class Command { render, trace, info, bench, stability, devices };
 
 // Who builds the tree, by name: the device, its twin, or one of kdtree/builder_names.h.
 struct Builder {
@@ -41,7 +41,7 @@ struct Options {
     std::optional<std::filesystem::path> json;
     bool quiet = false;
 
-    std::vector<Builder> builders{Builder::gpu};  // bench: several
+    std::vector<Builder> builders{Builder::gpu};  // bench: several; stability: empty means all
     BuildSettings settings;
     std::string device;
     uint64_t check = 0;  // rays of a run to be judged
@@ -61,6 +61,12 @@ struct Options {
     uint32_t runs = 5;
     bool interior = false;
     bool survey = false;  // bench: the survey's builders and tables instead of `builders`
+
+    bool quick = false;
+    std::vector<std::string> cases;  // of stability, by name; empty: all
+    uint64_t rayCount = 0;           // per case and family of rays; 0: as many as fit the time
+    uint64_t seed = 1;
+    std::optional<uint64_t> leaks;  // shoot so many rays from inside of closed meshes instead
 };
 
 // A text to print instead of a run: help or version.

@@ -31,6 +31,8 @@ void runCommand(const Options& options) {
             return runInfo(run);
         case Command::bench:
             return runBench(run);
+        case Command::stability:
+            return runStability(run);
         case Command::devices:
             return runDevices(run);
     }

@@ -1,0 +1,91 @@
+#include <algorithm>
+
+#include "app/commands.h"
+#include "app/stability_figures.h"
+#include "app/stability_trees.h"
+#include "app/text.h"
+#include "app/write_file.h"
+#include "error.h"
+#include "kdtree/builder_names.h"
+#include "stability/cases.h"
+
+namespace cleave {
+namespace {
+
+constexpr uint64_t kQuickRays = 400, kFullRays = 4000;  // per case and family
+
+// All builders but the one that makes no tree, whose answers are brute force's and come from elsewhere. A quick run
+// takes two of them and a third that changes from case to case.
+std::vector<Builder> buildersFor(const Options& options, size_t caseIndex) {
+    if (!options.builders.empty()) return options.builders;
+    std::vector<Builder> all{Builder::gpu, Builder::exact}, others;
+    for (const CpuBuilder& builder : cpuBuilders())
+        if (Builder{builder.name} != Builder::exact && builder.name != "brute") others.push_back({builder.name});
+    if (options.quick) others = {others[caseIndex % others.size()]};
+    all.insert(all.end(), others.begin(), others.end());
+    return all;
+}
+
+SceneFigures sweepScene(Run& run, const std::string& name, const std::string& about, std::span<const Triangle> world,
+                        std::span<const Builder> builders) {
+    const TriangleSet set = makeTriangleSet(world);
+    const auto triangles = uploadTriangles(run.device.context(), set);
+    const Options& options = run.options;
+    SweepSettings settings;
+    settings.rays = options.rayCount > 0 ? options.rayCount : options.quick ? kQuickRays : kFullRays;
+    settings.bruteWork = options.quick ? 1'000'000 : 10'000'000;
+    settings.seed = options.seed;
+    settings.threads = options.settings.threads;
+    SceneSweep sweep(name, world, set, settings);
+    const std::vector<TraversalUnderTest> traversals = traversalsFor(run, set);
+    SceneFigures figures{name, about, world.size(), set.included.size(), {}, {}};
+    for (const Builder builder : builders) {
+        run.progress.phase(oneLine(name) + " (" + nameOf(builder) + ")");
+        const std::shared_ptr<TreeUnderTest> tree = buildForTest(run, builder, set, triangles);
+        const TreeStatistics& s = tree->statistics;
+        const double each =
+            static_cast<double>(s.references) / static_cast<double>(std::max<size_t>(1, set.included.size()));
+        figures.trees.push_back({tree->builder, s.nodes, s.maxDepth, each, tree->buildMs});
+        std::vector<Cell> cells = sweep.run(tree, traversals);
+        figures.cells.insert(figures.cells.end(), cells.begin(), cells.end());
+    }
+    return figures;
+}
+
+bool isAsked(const Options& options, std::string_view name) {
+    return options.cases.empty() || std::find(options.cases.begin(), options.cases.end(), name) != options.cases.end();
+}
+
+}  // namespace
+
+void runStability(Run& run) {
+    const Options& options = run.options;
+    if (options.json) requireWritable(*options.json);
+    if (options.leaks) return runLeaks(run);
+    std::vector<SceneFigures> scenes;
+    size_t index = 0;
+    for (const StabilityCase& made : stabilityCases()) {
+        ++index;
+        if (!isAsked(options, made.name)) continue;
+        Random random(seedFor(options.seed, made.name));
+        const std::vector<Triangle> world = made.make(random, options.quick);
+        scenes.push_back(
+            sweepScene(run, std::string(made.name), std::string(made.about), world, buildersFor(options, index)));
+    }
+    for (const std::filesystem::path& file : options.scenes) {
+        const Scene scene = loadGltf(file);
+        scenes.push_back(
+            sweepScene(run, file.filename().string(), "a file", scene.triangles, buildersFor(options, index++)));
+    }
+    run.print("seed " + std::to_string(options.seed) + ", " + oneLine(run.device.name().value_or("")) + "\n\n" +
+              stabilityText(scenes));
+    Json report{{"stability", stabilityJson(scenes)}};
+    report["stability"]["seed"] = options.seed;
+    report["stability"]["quick"] = options.quick;
+    writeReport(run, report);
+    std::vector<Cell> all;
+    for (const SceneFigures& scene : scenes) all.insert(all.end(), scene.cells.begin(), scene.cells.end());
+    requireWithinBounds(all);
+}
+
+}  // namespace cleave

@@ -1,0 +1,49 @@
+#include "app/stability_trees.h"
+
+#include "kdtree/builder_names.h"
+#include "twin/twin_builder.h"
+
+namespace cleave {
+namespace {
+
+constexpr uint64_t kStackWork = 20'000'000;  // rays times triangles of the walk on the host
+
+KdTree buildOnHost(Builder builder, const TriangleSet& set, const BuildSettings& settings) {
+    return builder == Builder::twin ? buildTwin(set, settings).tree : cpuBuilder(builder.name).build(set, settings);
+}
+
+}  // namespace
+
+std::shared_ptr<TreeUnderTest> buildForTest(Run& run, Builder builder, const TriangleSet& set,
+                                            const std::shared_ptr<DeviceTriangles>& triangles) {
+    auto tree = std::make_shared<TreeUnderTest>();
+    tree->builder = nameOf(builder);
+    if (builder == Builder::gpu) {
+        GpuBuilder::Result result = run.device.builder().build(triangles, run.options.settings);
+        tree->onDevice = std::move(result.tree);
+        tree->tree = readBack(run.device.context(), *tree->onDevice);
+        tree->buildMs = result.ms;
+    } else {
+        const Stopwatch watch;
+        tree->tree = buildOnHost(builder, set, run.options.settings);
+        tree->buildMs = watch.milliseconds();
+        tree->onDevice = uploadTree(run.device.context(), triangles, tree->tree);
+    }
+    tree->statistics = computeStatistics(tree->tree);
+    return tree;
+}
+
+std::vector<TraversalUnderTest> traversalsFor(Run& run, const TriangleSet& set) {
+    const auto onDevice = [&run](Traversal traversal) {
+        return [&run, traversal](const TreeUnderTest& tree, std::span<const Ray> rays) {
+            const TraceMode mode{traversal, TriangleTest::watertight, true};
+            return run.device.tracer().trace(*tree.onDevice, rays, Query::closest, mode);
+        };
+    };
+    std::vector<TraversalUnderTest> traversals;
+    for (const TraversalName& t : kDeviceTraversals) traversals.push_back({t.name, onDevice(t.traversal)});
+    traversals.push_back(hostStack(set, kStackWork));
+    return traversals;
+}
+
+}  // namespace cleave

@@ -1,0 +1,26 @@
+// The trees and the traversals that stability is looked for in.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "app/run.h"
+#include "stability/sweep.h"
+
+namespace cleave {
+
+struct TraversalName {
+    Traversal traversal;
+    const char* name;
+};
+inline constexpr std::array<TraversalName, 2> kDeviceTraversals = {
+    {{Traversal::restart, "restart"}, {Traversal::stack, "stack"}}};
+
+// Builds with the settings of the run's options; the tree is on the host and on the device.
+std::shared_ptr<TreeUnderTest> buildForTest(Run& run, Builder builder, const TriangleSet& set,
+                                            const std::shared_ptr<DeviceTriangles>& triangles);
+
+// Those of the device, with steps counted, and the walk on the host where it is affordable.
+std::vector<TraversalUnderTest> traversalsFor(Run& run, const TriangleSet& set);
+
+}  // namespace cleave

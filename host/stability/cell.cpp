@@ -1,0 +1,130 @@
+#include "stability/cell.h"
+
+#include <algorithm>
+#include <sstream>
+#include <thread>
+
+#include "error.h"
+
+namespace cleave {
+namespace {
+
+constexpr double kMostUndecided = 1e-5;
+
+std::string pointText(const vec3& p) {
+    std::ostringstream text;
+    text.precision(9);
+    text << "(" << p.x << ", " << p.y << ", " << p.z << ")";
+    return text.str();
+}
+
+std::string answerText(const Hit& hit) {
+    std::ostringstream text;
+    text.precision(9);
+    if (hit.prim == kNone)
+        text << "a miss";
+    else
+        text << "triangle " << hit.prim << " at t = " << hit.t << ", u = " << hit.u << ", v = " << hit.v;
+    return text.str();
+}
+
+bool isSame(const Hit& a, const Hit& b) { return a.t == b.t && a.prim == b.prim && a.u == b.u && a.v == b.v; }
+
+std::string described(size_t i, const Ray& ray, const Hit& hit, const Hit& expected,
+                      const Reference::Judgement& judgement) {
+    std::ostringstream text;
+    text.precision(9);
+    text << "ray " << i << ", origin " << pointText(ray.origin) << ", direction " << pointText(ray.direction)
+         << ", t in [" << ray.tMin << ", " << ray.tMax << "]: answered with " << answerText(hit);
+    if (judgement.fault != Reference::Fault::none) {
+        text << ", by the reference ";
+        if (judgement.referencePrim == kNone)
+            text << "a miss";
+        else
+            text << "triangle " << judgement.referencePrim << " at t = " << judgement.referenceT;
+    }
+    if (!isSame(hit, expected)) text << ", expected " << answerText(expected);
+    return text.str();
+}
+
+void add(Cell& cell, const Reference::Judgement& judgement) {
+    using Verdict = Reference::Verdict;
+    using Fault = Reference::Fault;
+    cell.maxUlpError = std::max(cell.maxUlpError, judgement.ulpTError);
+    cell.maxRelativeError = std::max(cell.maxRelativeError, judgement.relativeTError);
+    if (judgement.verdict == Verdict::undecided) ++cell.undecided;
+    if (judgement.verdict != Verdict::mismatch) return;
+    cell.wrong += judgement.fault == Fault::wrong ? 1 : 0;
+    cell.missed += judgement.fault == Fault::missed ? 1 : 0;
+    cell.falseHits += judgement.fault == Fault::falseHit ? 1 : 0;
+}
+
+}  // namespace
+
+std::vector<Reference::Judgement> judgeAll(const Reference& reference, std::span<const Ray> rays,
+                                           std::span<const Hit> hits, uint32_t threads) {
+    std::vector<Reference::Judgement> judged(rays.size());
+    const auto work = [&](size_t first) {
+        for (size_t i = first; i < rays.size(); i += threads)
+            judged[i] = reference.judge(rays[i], hits[i], Query::closest);
+    };
+    std::vector<std::jthread> pool;
+    for (size_t worker = 1; worker < threads; ++worker) pool.emplace_back(work, worker);
+    work(0);
+    pool.clear();
+    return judged;
+}
+
+void count(Cell& cell, const Volley& volley, const Tracer::Result& traced, const Reference& reference) {
+    cell.rays = volley.rays.size();
+    cell.capped = traced.cappedRays;
+    cell.ms = traced.ms;
+    cell.byBruteForce = volley.byBruteForce;
+    bool isBroken = false;
+    for (size_t i = 0; i < volley.rays.size(); ++i) {
+        const Hit &hit = traced.hits[i], &expected = volley.expected[i];
+        const bool same = isSame(hit, expected);
+        const auto judgement = same ? volley.judged[i] : reference.judge(volley.rays[i], hit, Query::closest);
+        cell.hits += hit.prim != kNone ? 1 : 0;
+        cell.differing += same ? 0 : 1;
+        add(cell, judgement);
+        const bool breaks = !same || judgement.verdict == Reference::Verdict::mismatch;
+        const bool doubtful = judgement.verdict == Reference::Verdict::undecided;
+        if ((breaks && !isBroken) || (doubtful && cell.first.empty()))
+            cell.first = described(i, volley.rays[i], hit, expected, judgement);
+        isBroken = isBroken || breaks;
+    }
+    for (const StepCount& steps : traced.steps) cell.mostSteps = std::max(cell.mostSteps, steps.inner + steps.leaves);
+}
+
+std::string whyBroken(const Cell& cell) {
+    const auto told = [](uint64_t n, const char* what) { return std::to_string(n) + " " + what; };
+    std::string why;
+    const auto add = [&](const std::string& reason) { why += (why.empty() ? "" : ", ") + reason; };
+    if (cell.wrong > 0) add(told(cell.wrong, "wrong"));
+    if (cell.missed > 0) add(told(cell.missed, "missed"));
+    if (cell.falseHits > 0) add(told(cell.falseHits, "false"));
+    if (cell.differing > 0)
+        add(told(cell.differing, cell.byBruteForce ? "not as by brute force" : "not as by the first builder"));
+    if (cell.capped > 0) add(told(cell.capped, "stopped by the step cap"));
+    const double most = std::ceil(kMostUndecided * static_cast<double>(cell.rays));
+    if (!cell.isEdgeFamily && static_cast<double>(cell.undecided) > most) add(told(cell.undecided, "undecided"));
+    return why;
+}
+
+void requireWithinBounds(std::span<const Cell> cells) {
+    const Cell* first = nullptr;
+    uint64_t broken = 0;
+    for (const Cell& cell : cells) {
+        if (whyBroken(cell).empty()) continue;
+        if (first == nullptr) first = &cell;
+        ++broken;
+    }
+    if (first == nullptr) return;
+    throw Error("stability: " + std::to_string(broken) + " of " + std::to_string(cells.size()) +
+                " cells are out of bounds, first: " + first->scene + ", " + first->builder + ", " + first->traversal +
+                ", " + first->family + ": " + whyBroken(*first) + " of " + std::to_string(first->rays) + " rays" +
+                (first->first.empty() ? "" : "; " + first->first) + "; please report this case");
+}
+
+}  // namespace cleave

@@ -1,0 +1,34 @@
+// Closed surfaces, and points strictly inside of them: a ray from there must hit, whatever it is aimed at.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "shared/triangle.h"
+#include "stability/random.h"
+
+namespace cleave {
+
+struct ClosedMesh {
+    std::string_view name;
+    std::vector<Triangle> triangles;
+    std::vector<vec3> inside;  // far from the surface, measured by the rounding of its vertices
+};
+
+// Each edge of each mesh belongs to two of its faces, to the bit.
+std::vector<ClosedMesh> closedMeshes(uint64_t seed);
+
+// Rays from inside: half of them at vertices, a quarter at points of edges, the others at points of faces, all rounded
+// as a user's aiming rounds.
+std::vector<Ray> leakRays(const ClosedMesh& mesh, uint64_t count, uint64_t seed);
+
+struct Leaks {
+    uint64_t rays = 0;
+    uint64_t leaks = 0;  // misses
+    Ray first{};         // the first ray that leaked
+};
+// Adds the answers to some of the rays.
+void countLeaks(Leaks& leaks, std::span<const Ray> rays, std::span<const Hit> hits);
+
+}  // namespace cleave

@@ -1,0 +1,86 @@
+#include "stability/sweep.h"
+
+#include <chrono>
+#include <thread>
+
+namespace cleave {
+namespace {
+
+// hits[i] = answer(i), on several threads.
+template <class Answer>
+std::vector<Hit> answered(size_t count, uint32_t threads, Answer answer) {
+    std::vector<Hit> hits(count);
+    const auto work = [&](size_t first) {
+        for (size_t i = first; i < count; i += threads) hits[i] = answer(i);
+    };
+    std::vector<std::jthread> pool;
+    for (size_t worker = 1; worker < threads; ++worker) pool.emplace_back(work, worker);
+    work(0);
+    pool.clear();
+    return hits;
+}
+
+}  // namespace
+
+SceneSweep::SceneSweep(std::string scene, std::span<const Triangle> world, const TriangleSet& set,
+                       const SweepSettings& settings)
+    : scene_(std::move(scene)), world_(world), set_(set), settings_(settings), reference_(world, set.included) {}
+
+std::vector<Hit> SceneSweep::answer(std::span<const Ray> rays) const {
+    if (!isSmall(rays.size())) return firstTraversal_->trace(*firstTree_, rays).hits;
+    return answered(rays.size(), settings_.threads,
+                    [&](size_t i) { return bruteForce(set_, rays[i], Query::closest); });
+}
+
+Volley SceneSweep::volley(const RayFamily& family, const KdTree* tree) const {
+    const uint64_t seed = seedFor(seedFor(settings_.seed, scene_), family.name);
+    const auto answers = [this](std::span<const Ray> rays) { return answer(rays); };
+    Volley volley{&family, family.make({world_, set_, tree, settings_.rays, seed, answers}), {}, {}, false};
+    volley.byBruteForce = isSmall(volley.rays.size());
+    volley.expected = answer(volley.rays);
+    volley.judged = judgeAll(reference_, volley.rays, volley.expected, settings_.threads);
+    return volley;
+}
+
+std::vector<Cell> SceneSweep::run(std::shared_ptr<const TreeUnderTest> tree,
+                                  std::span<const TraversalUnderTest> traversals) {
+    if (!firstTree_) {
+        firstTree_ = tree;
+        firstTraversal_ = traversals.front();
+        for (const RayFamily& family : rayFamilies())
+            if (!family.needsTree) shared_.push_back(volley(family, nullptr));
+    }
+    std::vector<Volley> own;
+    for (const RayFamily& family : rayFamilies())
+        if (family.needsTree) own.push_back(volley(family, &tree->tree));
+
+    std::vector<Cell> cells;
+    for (const TraversalUnderTest& traversal : traversals)
+        for (const auto* volleys : {&shared_, &own})
+            for (const Volley& volley : *volleys) {
+                if (volley.rays.empty() || volley.rays.size() * set_.included.size() > traversal.mostWork) continue;
+                Cell cell;
+                cell.scene = scene_;
+                cell.builder = tree->builder;
+                cell.traversal = traversal.name;
+                cell.family = volley.family->name;
+                cell.isEdgeFamily = volley.family->isEdgeFamily;
+                count(cell, volley, traversal.trace(*tree, volley.rays), reference_);
+                cells.push_back(std::move(cell));
+            }
+    return cells;
+}
+
+TraversalUnderTest hostStack(const TriangleSet& set, uint64_t mostWork) {
+    const auto trace = [&set](const TreeUnderTest& tree, std::span<const Ray> rays) {
+        const auto start = std::chrono::steady_clock::now();
+        Tracer::Result result;
+        result.hits =
+            answered(rays.size(), 2, [&](size_t i) { return stackWalk(tree.tree, set, rays[i], Query::closest); });
+        result.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+        return result;
+    };
+    return {"host-stack", trace, mostWork};
+}
+
+}  // namespace cleave

@@ -1,0 +1,63 @@
+// Shoots all families of rays at one scene, through any number of trees and by any number of traversals.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "kdtree/statistics.h"
+#include "stability/cell.h"
+
+namespace cleave {
+
+struct TreeUnderTest {
+    std::string builder;
+    KdTree tree;
+    std::shared_ptr<DeviceTree> onDevice;  // null where no traversal of the device is tested
+    TreeStatistics statistics;
+    double buildMs = 0.0;
+};
+
+struct TraversalUnderTest {
+    std::string name;
+    // Closest hits, and how many steps were taken where that is counted.
+    std::function<Tracer::Result(const TreeUnderTest& tree, std::span<const Ray> rays)> trace;
+    uint64_t mostWork = UINT64_MAX;  // it is left out where rays times triangles are more
+};
+
+struct SweepSettings {
+    uint64_t rays = 1000;  // per family
+    // Brute force gives the expected answers up to so many rays times triangles; beyond that, the first tree does.
+    uint64_t bruteWork = 4'000'000;
+    uint64_t seed = 1;
+    uint32_t threads = 2;
+};
+
+class SceneSweep {
+  public:
+    // `world` and `set` outlive this.
+    SceneSweep(std::string scene, std::span<const Triangle> world, const TriangleSet& set,
+               const SweepSettings& settings);
+
+    // A cell per traversal and family. The first tree given is kept: large scenes are answered by it.
+    std::vector<Cell> run(std::shared_ptr<const TreeUnderTest> tree, std::span<const TraversalUnderTest> traversals);
+
+  private:
+    std::vector<Hit> answer(std::span<const Ray> rays) const;
+    bool isSmall(size_t rays) const { return rays * set_.included.size() <= settings_.bruteWork; }
+    Volley volley(const RayFamily& family, const KdTree* tree) const;
+
+    std::string scene_;
+    std::span<const Triangle> world_;
+    const TriangleSet& set_;
+    SweepSettings settings_;
+    Reference reference_;
+    std::shared_ptr<const TreeUnderTest> firstTree_;
+    std::optional<TraversalUnderTest> firstTraversal_;
+    std::vector<Volley> shared_;  // of the families that need no tree
+};
+
+// A walk on the host, a textbook's (kdtree/oracle.h).
+TraversalUnderTest hostStack(const TriangleSet& set, uint64_t mostWork);
+
+}  // namespace cleave
