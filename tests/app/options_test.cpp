@@ -93,6 +93,25 @@ TEST(Options, OtherCommands) {
     EXPECT_EQ(parse({"devices"}).command, Command::devices);
 }
 
+TEST(Options, OfStability) {
+    const Options plain = parse({"stability"});
+    EXPECT_TRUE(plain.builders.empty()) << "all";
+    EXPECT_FALSE(plain.quick);
+    EXPECT_FALSE(plain.leaks);
+    const Options o = parse(
+        {"stability", "a.glb", "--quick", "--cases", "fan,stack", "--rays", "50", "--seed", "9", "--builder", "exact"});
+    EXPECT_TRUE(o.quick);
+    EXPECT_EQ(o.cases, (std::vector<std::string>{"fan", "stack"}));
+    EXPECT_EQ(o.rayCount, 50u);
+    EXPECT_EQ(o.seed, 9u);
+    EXPECT_EQ(o.builders, std::vector{Builder::exact});
+    EXPECT_EQ(o.scenes.size(), 1u);
+    EXPECT_EQ(*parse({"stability", "--leaks"}).leaks, 100'000'000u);
+    EXPECT_EQ(*parse({"stability", "--leaks", "5"}).leaks, 5u);
+    expectRefused({"stability", "--cases", "none"}, "offset-1e5, offset-1e6");
+    expectRefused({"stability", "--leaks", "few"}, "whole number");
+}
+
 TEST(Options, EveryBuilderOfTheCpuHasAName) {
     for (const CpuBuilder& builder : cpuBuilders())
         EXPECT_EQ(nameOf(parse({"info", "a.glb", "--builder", builder.name.data()}).builders.front()), builder.name);
@@ -117,8 +136,8 @@ TEST(Options, HelpAndVersion) {
 }
 
 TEST(Options, WrongUseNamesWhatThereIs) {
-    for (const auto& wrong : std::vector<std::vector<const char*>>{{}, {"rendr"}, {"stability"}, {"report", "a.glb"}})
-        expectRefused(wrong, "render, trace, info, bench, devices");
+    for (const auto& wrong : std::vector<std::vector<const char*>>{{}, {"rendr"}, {"report", "a.glb"}})
+        expectRefused(wrong, "render, trace, info, bench, stability, devices");
     expectRefused({"render", "--builder", "nope"}, "gpu, twin, exact");
     expectRefused({"render", "--builder", "havran"}, "gpu, twin, exact");
     expectRefused({"render", "--builder", "gpu,exact"}, "gpu, twin, exact");

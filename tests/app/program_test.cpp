@@ -56,7 +56,7 @@ class Program : public testing::Test {
 TEST_F(Program, WrongUseIsStatus2) {
     for (const auto& wrong : std::vector<std::vector<std::string>>{{},
                                                                    {"rendr"},
-                                                                   {"stability"},
+                                                                   {"report"},
                                                                    {"render", "--size", "big"},
                                                                    {"render", scene_, "--builder", "nope"},
                                                                    {"render", scene_, "--spp", "4"},
@@ -286,6 +286,34 @@ TEST_F(Program, DevicesListsThem) {
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_TRUE(reportOf("d.json")["devices"].is_array());
     EXPECT_FALSE(outcome.out.empty());
+}
+
+TEST_F(Program, StabilityPrintsATableAndWritesEveryCell) {
+    const TemporaryFolder folder;
+    const Outcome run = runCleave({"stability", "--quick", "--cases", "four,flat-x", "--rays", "20", "--builder",
+                                   "exact,spatial-median", "--json", folder / "s.json"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_NE(run.out.find("all cells are within their bounds"), std::string::npos) << run.out;
+    const auto json = nlohmann::json::parse(contentOf(folder / "s.json"))["stability"];
+    EXPECT_EQ(json["cases"].size(), 2u);
+    EXPECT_EQ(json["brokenCells"], 0u);
+    // Two builders, three traversals; a tetrahedron has no split plane, so three families fewer.
+    EXPECT_EQ(json["cells"].size(), 2u * 3u * (13u + 16u));
+    for (const auto& cell : json["cells"]) {
+        EXPECT_EQ(cell["wrong"], 0u);
+        EXPECT_EQ(cell["differing"], 0u);
+        EXPECT_GT(cell["rays"], 0u);
+    }
+}
+
+TEST_F(Program, StabilityShootsFromInsideOfClosedMeshes) {
+    const TemporaryFolder folder;
+    const Outcome run = runCleave({"stability", "--leaks", "20000", "--builder", "exact", "--json", folder / "l.json"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    const auto json = nlohmann::json::parse(contentOf(folder / "l.json"))["leaks"];
+    EXPECT_EQ(json["leaks"], 0u);
+    EXPECT_EQ(json["rays"], 20000u);
+    EXPECT_EQ(json["meshes"].size(), 10u * 2u) << "by two traversals";
 }
 
 }  // namespace
