@@ -13,15 +13,13 @@ using Row = std::vector<std::string>;
 
 // Sums and worst figures of some cells.
 struct Sum {
-    uint64_t cells = 0, rays = 0, hits = 0, wrong = 0, missed = 0, falseHits = 0, undecided = 0, differing = 0,
-             capped = 0;
+    uint64_t cells = 0, rays = 0, wrong = 0, missed = 0, falseHits = 0, undecided = 0, differing = 0, capped = 0;
     double maxUlpError = 0.0, maxRelativeError = 0.0, ms = 0.0;
     uint32_t mostSteps = 0;
 
     void add(const Cell& cell) {
         ++cells;
         rays += cell.rays;
-        hits += cell.hits;
         wrong += cell.wrong;
         missed += cell.missed;
         falseHits += cell.falseHits;
@@ -42,23 +40,16 @@ std::string shortly(double value) {
     return text;
 }
 
-const Row kSumHeader{"cells",  "rays",   "hits",  "wrong",  "missed", "false", "undecided",
-                     "differ", "capped", "t ulp", "t rel.", "steps",  "ms"};
+const Row kSumHeader{"cells",  "rays",   "wrong", "missed", "false", "undec.",
+                     "differ", "capped", "t ulp", "t rel.", "steps", "ms"};
 
 Row sumRow(const Sum& s) {
-    return {grouped(s.cells),
-            grouped(s.rays),
-            grouped(s.hits),
-            grouped(s.wrong),
-            grouped(s.missed),
-            grouped(s.falseHits),
-            grouped(s.undecided),
-            grouped(s.differing),
-            grouped(s.capped),
-            fixed(s.maxUlpError, 2),
-            shortly(s.maxRelativeError),
-            grouped(s.mostSteps),
-            fixed(s.ms, 0)};
+    return {grouped(s.cells),        grouped(s.rays),
+            grouped(s.wrong),        grouped(s.missed),
+            grouped(s.falseHits),    grouped(s.undecided),
+            grouped(s.differing),    grouped(s.capped),
+            fixed(s.maxUlpError, 2), shortly(s.maxRelativeError),
+            grouped(s.mostSteps),    fixed(s.ms, 0)};
 }
 
 Row joined(Row row, const Row& more) {
