@@ -1,19 +1,45 @@
 #include <tbb/parallel_invoke.h>
 
-#include "kdtree/build_exact_nlog2n.h"
 #include "kdtree/builders.h"
 #include "kdtree/event_node.h"
+#include "kdtree/face_scan.h"
 #include "kdtree/graft.h"
 #include "kdtree/threads.h"
+#include "kdtree/top_down.h"
 
 namespace cleave {
 namespace {
 
-// At most so many references: sorting afresh in each node is quicker than splicing. Both choose the same splits.
-constexpr uint32_t kSortUpTo = 8;
+// At most so many references: counting at each face is quicker than splicing events, and both choose the same splits.
+// Nearly all nodes are so small; the bunny builds in half the time that splicing down to 8 references took.
+constexpr uint32_t kScanUpTo = kMostScanned;
 
 // With so many references, a node's right subtree may be built by another thread.
 constexpr uint32_t kShareChildrenFrom = 1024;
+
+uint64_t eventCount(std::span<const ClippedRef> refs) {
+    uint64_t flat = 0;
+    for (const ClippedRef& ref : refs)
+        for (int axis = 0; axis < 3; ++axis) flat += ref.box.lo[axis] == ref.box.hi[axis] ? 1 : 0;
+    return 6 * refs.size() - flat;
+}
+
+// The chooser of small nodes. The events that it does without are counted as swept.
+class ScanChooser {
+  public:
+    ScanChooser(uint32_t maxDepth, BuildReport& report) : maxDepth_(maxDepth), report_(report) {}
+
+    Split operator()(const NodeToSplit& node) {
+        report_.eventsSwept += eventCount(node.refs);
+        const Split best = bestFace(node, kAllAxes);
+        const auto count = static_cast<uint32_t>(node.refs.size());
+        return isWorthwhile(best, node.cell, count, node.depth, maxDepth_) ? best : noSplit();
+    }
+
+  private:
+    const uint32_t maxDepth_;
+    BuildReport& report_;
+};
 
 // One part of the tree, built depth first by one thread at a time, as TopDownBuilder does it. Parts that other threads
 // built are put where this one would have built them, so that the tree does not depend on who built what.
@@ -22,13 +48,13 @@ class ExactPart {
     ExactPart(EventBuild& build, const BuildSettings& settings)
         : build_(build),
           settings_(settings),
-          small_(build.set, settings, SweepChooser(build.maxDepth, report_), build.bytes) {
+          small_(build.set, settings, ScanChooser(build.maxDepth, report_), build.bytes) {
         tree_.nodes.resize(1);
     }
     ExactPart(const ExactPart&) = delete;  // the chooser holds the report's address
 
     void buildNode(uint32_t index, EventNode node) {
-        if (node.count <= kSortUpTo) return graft(tree_, index, small_.buildSubtree(node.toSplit()));
+        if (node.count <= kScanUpTo) return graft(tree_, index, small_.buildSubtree(node.toSplit()));
         const Split split = choose(node);
         if (split.axis == kLeafAxis) return makeLeaf(index, node);
 
@@ -76,7 +102,7 @@ class ExactPart {
     const BuildSettings& settings_;
     BuildReport report_;
     KdTree tree_;
-    TopDownBuilder<SweepChooser> small_;
+    TopDownBuilder<ScanChooser> small_;
 };
 
 }  // namespace
