@@ -6,9 +6,6 @@
 
 #include "shared/sah.h"
 
-// Vectors are never passed to a function that is not inlined, so that their calling convention is of no concern.
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 // One text, compiled for AVX2 and for any machine; the program picks at its start. Both give the same bits, since every
 // operation is rounded by itself.
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__)
