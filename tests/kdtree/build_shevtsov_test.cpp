@@ -69,7 +69,7 @@ TEST_P(BuildShevtsov, CostsLittleMoreThanExact) {
 // Every part straddles every plane, or all lie in one: nothing to share out, and no harm done.
 TEST_P(BuildShevtsov, SurvivesWhatCannotBeSharedOut) {
     std::vector<Triangle> sheet;
-    for (const Triangle& t : test::soup(4, 6000, 0.1f))
+    for (const Triangle& t : test::soup(4, 6000, 0.01f))
         sheet.push_back({{t.a.x, t.a.y, 0}, {t.b.x, t.b.y, 0}, {t.c.x, t.c.y, 0}});
     const Triangle one{{0, 0, 0}, {1, 0, 0}, {0, 1, 1}};
     for (const auto& triangles :
