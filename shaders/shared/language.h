@@ -56,6 +56,7 @@ CLEAVE_BEGIN
 
 CLEAVE_CONST uint kNone = 0xFFFFFFFFu;  // no primitive, no node
 CLEAVE_CONST float kSmallestNormal = 1.17549435e-38f;
+CLEAVE_CONST float kLargestFloat = 3.40282347e38f;
 
 CLEAVE_FN float infinity() { return uintBitsToFloat(0x7F800000u); }
 

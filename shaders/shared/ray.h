@@ -46,7 +46,8 @@ CLEAVE_FN bool isValidRay(Ray r) {
 
 // A valid ray in the scaled space of a tree: the origin times 2^-sceneExponent, the direction times a power of two
 // that brings its largest component into [1, 2), and t to match; all exact. tExponent brings t back:
-// tWorld = t 2^tExponent. Zero components are +0.
+// tWorld = t 2^tExponent. Zero components are +0. A ray ends where t, brought back, would be beyond the largest float:
+// else an any-hit could be one that has no t.
 struct ScaledRay {
     vec3 origin;
     float tMin;
@@ -62,14 +63,12 @@ CLEAVE_FN ScaledRay scaledRay(Ray r, int sceneExponent) {
     s.direction = timesPowerOfTwo(r.direction, -e);
     s.tExponent = sceneExponent - e;
     s.tMin = timesPowerOfTwo(r.tMin, -s.tExponent);
-    s.tMax = timesPowerOfTwo(r.tMax, -s.tExponent);
+    s.tMax = timesPowerOfTwo(min(r.tMax, kLargestFloat), -s.tExponent);
     return s;
 }
 
-// A hit beyond the largest float is a miss.
 CLEAVE_FN Hit worldHit(Hit h, int tExponent) {
     h.t = timesPowerOfTwo(h.t, tExponent);
-    if (!isFinite(h.t)) return missedHit();
     return h;
 }
 

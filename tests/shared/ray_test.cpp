@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
+
+#include "kdtree/oracle.h"
 
 namespace cleave {
 namespace {
@@ -138,12 +141,27 @@ TEST(Ray, scalesExtremeDirections) {
 TEST(Ray, keepsEndlessRaysAndMisses) {
     Ray r = kGood;
     r.tMax = infinity();
-    EXPECT_EQ(scaledRay(r, 30).tMax, infinity());
+    EXPECT_EQ(scaledRay(r, -30).tMax, infinity());
+    // The last t that has a place among floats when it is brought back.
+    const ScaledRay s = scaledRay(r, 30);
+    EXPECT_EQ(std::ldexp(double{s.tMax}, s.tExponent), double{std::numeric_limits<float>::max()});
     const Hit miss = worldHit(missedHit(), -30);
     EXPECT_EQ(miss.t, infinity());
     EXPECT_EQ(miss.prim, kNone);
     EXPECT_EQ(miss.u, 0.0f);
     EXPECT_EQ(miss.v, 0.0f);
+}
+
+// Of a triangle whose t is beyond the largest float and a nearer one, an any-hit must be the nearer.
+TEST(Ray, anyHitHasAFiniteT) {
+    const std::vector<Triangle> triangles = {{{0, 0, 9}, {1, 0, 9}, {0, 1, 9}}, {{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}};
+    const TriangleSet set = makeTriangleSet(triangles);
+    const Ray r{{0.25f, 0.25f, 0.0f}, 0.0f, {0.0f, 0.0f, 1e-38f}, infinity()};
+    for (const Query query : {Query::closest, Query::any}) {
+        const Hit hit = bruteForce(set, r, query);
+        EXPECT_EQ(hit.prim, 1u);
+        EXPECT_LT(hit.t, infinity());
+    }
 }
 
 }  // namespace

@@ -190,7 +190,7 @@ class Maker {
         if (isThirds_ && oneIn(2))
             r.direction = placed(l.origin + l.direction, false) - r.origin;  // at what was rounded
         chooseInterval(r);
-        const int length = oneIn(4) ? within(-30, 30) : 0;
+        const int length = oneIn(4) ? within(-30, 30) : oneIn(20) ? within(-150, 120) : 0;
         for (int k = 0; k < 3; ++k) {
             if (r.direction[k] == 0.0f && oneIn(3)) r.direction[k] = -0.0f;
             r.direction[k] = std::ldexp(r.direction[k], length);
