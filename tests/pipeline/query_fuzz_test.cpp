@@ -20,7 +20,7 @@ TEST(QueryFuzz, FiftyThousandPairsAreAnsweredRight) {
     const QueryCheck::Counts& n = check.counts();
     EXPECT_EQ(n.pairs, kScenes * kRays);
     EXPECT_GT(n.hits, n.pairs / 4);
-    EXPECT_LT(n.undecided, n.pairs / 10);  // hits at the very ends of intervals
+    EXPECT_LE(n.undecided, n.pairs / 1000);  // near coincidences at edges and at ends of intervals
 }
 
 }  // namespace cleave::test
