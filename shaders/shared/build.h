@@ -109,7 +109,9 @@ CLEAVE_FN NearestFaces including(NearestFaces f, float lo, float hi, float plane
     return f;
 }
 
-// The best of a split and of those at the faces next to it, all with true counts: those of bins may be estimates.
+// The best of a split and of those at the faces next to it. The counts at the split are true, those of bins may be
+// estimates. References that begin at the face below, or end at the one above, count on both sides of it here though
+// they will go to one: its cost is an upper bound.
 CLEAVE_FN Split snapped(Split s, Box cell, NearestFaces f) {
     Split best = betterOfBothSides(noSplit(), cell, s.axis, s.position, f.left, f.right, f.planar);
     if (f.below != 0u) best = betterOf(best, cell, s.axis, fromOrderedBits(f.below), f.left, f.rightBelow, 1u);
