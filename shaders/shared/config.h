@@ -31,8 +31,10 @@ CLEAVE_CONST uint kBlock = 256u;
 // Invocations per workgroup of the passes that treat elements one by one.
 CLEAVE_CONST uint kGroup = 64u;
 
-// Steps after which a traversal gives up on a ray and counts it as capped: far above what any valid tree needs.
-CLEAVE_CONST uint kStepCap = 1u << 24;
+// Inner nodes after which a traversal gives up on a ray and counts it as capped: above what any valid tree needs. A ray
+// that comes from a million diagonals away visits all cells along its way, from the restart node each: 24 million nodes
+// in the dragon.
+CLEAVE_CONST uint kStepCap = 1u << 30;
 
 CLEAVE_END
 #endif
