@@ -110,6 +110,18 @@ TEST(Binning, FindsTheBestBoundary) {
     });
 }
 
+// The better of `best` and the plane, with its boxes counted one by one.
+Split betterAt(const Split& best, const NodeToSplit& node, uint32_t axis, float plane) {
+    const int a = static_cast<int>(axis);
+    uint32_t left = 0, right = 0, planar = 0;
+    for (const ClippedRef& ref : node.refs) {
+        left += ref.box.lo[a] < plane;
+        right += ref.box.hi[a] > plane;
+        planar += ref.box.lo[a] == plane && ref.box.hi[a] == plane;
+    }
+    return betterOfBothSides(best, node.cell, axis, plane, left, right, planar);
+}
+
 TEST(FacesAlong, MovesAPlaneToTheBetterFaceBesideIt) {
     forEachCase(100, [](const std::vector<ClippedRef>& refs, uint32_t seed) {
         const NodeToSplit node{refs, {vec3(-1), vec3(1)}, 0};
@@ -124,13 +136,7 @@ TEST(FacesAlong, MovesAPlaneToTheBetterFaceBesideIt) {
             }
         Split expected = noSplit();
         for (const float plane : {below, position, above}) {
-            uint32_t left = 0, right = 0, planar = 0;
-            for (const ClippedRef& ref : refs) {
-                left += ref.box.lo[a] < plane;
-                right += ref.box.hi[a] > plane;
-                planar += ref.box.lo[a] == plane && ref.box.hi[a] == plane;
-            }
-            expected = betterOfBothSides(expected, node.cell, axis, plane, left, right, planar);
+            expected = betterAt(expected, node, axis, plane);
         }
         FacesAlong faces;
         gatherFaces(faces, node, axis);
@@ -149,13 +155,7 @@ TEST(FaceScan, FindsTheBestOfAllFaces) {
                 for (size_t i = 0; i < 2 * refs.size() && (axes & onlyAxis(axis)) != 0; ++i) {
                     const int a = static_cast<int>(axis);
                     const float plane = i % 2 == 0 ? refs[i / 2].box.lo[a] : refs[i / 2].box.hi[a];
-                    uint32_t left = 0, right = 0, planar = 0;
-                    for (const ClippedRef& ref : refs) {
-                        left += ref.box.lo[a] < plane;
-                        right += ref.box.hi[a] > plane;
-                        planar += ref.box.lo[a] == plane && ref.box.hi[a] == plane;
-                    }
-                    expected = betterOfBothSides(expected, node.cell, axis, plane, left, right, planar);
+                    expected = betterAt(expected, node, axis, plane);
                 }
             expectSame(bestFace(node, axes), expected);
         }

@@ -20,13 +20,7 @@ std::vector<Triangle> wavySheet(uint32_t n) {
                     y = static_cast<float>(j) / static_cast<float>(n);
         return vec3(x + 0.1f * y * y, y - 0.1f * x * x, 0.2f * std::sin(3.0f * x) * std::cos(2.0f * y));
     };
-    std::vector<Triangle> triangles;
-    for (uint32_t i = 0; i < n; ++i)
-        for (uint32_t j = 0; j < n; ++j) {
-            triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-            triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-        }
-    return triangles;
+    return test::sheetOf(n, at);
 }
 
 // Not only the same tree: the same nodes in the same places, and the same lists in the same order.

@@ -58,6 +58,18 @@ inline std::vector<Triangle> integerSoup(uint32_t seed, uint32_t count, uint32_t
     return triangles;
 }
 
+// A sheet of n x n squares, two triangles each; at(i, j) is a corner, i and j from 0 to n.
+template <class Corner>
+std::vector<Triangle> sheetOf(uint32_t n, const Corner& at) {
+    std::vector<Triangle> triangles;
+    for (uint32_t i = 0; i < n; ++i)
+        for (uint32_t j = 0; j < n; ++j) {
+            triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+            triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+        }
+    return triangles;
+}
+
 inline std::vector<Triangle> transformed(std::vector<Triangle> triangles, float factor, vec3 offset) {
     for (Triangle& t : triangles) t = {t.a * factor + offset, t.b * factor + offset, t.c * factor + offset};
     return triangles;

@@ -4,20 +4,17 @@
 
 #include <algorithm>
 
-#include "kdtree/events.h"
-#include "kdtree/support_scenes.h"
+#include "survey/box_scene.h"
 
 namespace cleave {
 namespace {
 
+using Scene = test::BoxScene;
+using test::sweep;
+
 // From an exact input, ten roundings to the nearest float follow one another in splitCost(), of sums and products of
 // numbers that are not negative: its relative error is at most ten times half an ulp (2^-24), and a bit.
 constexpr double kCostError = 10.001 / 16777216.0;
-
-struct Scene {
-    Box cell;
-    std::vector<Box> boxes;
-};
 
 // Boxes of all sizes in a cell that may be long or flat; some begin or end at its faces, some are flat, and in every
 // second scene faces are snapped to a grid, so that many coincide.
@@ -65,16 +62,6 @@ double costOf(const Scene& scene, int axis, double plane, Counts counts) {
     const double left = surfaceArea(lo, leftHi) * counts.left, right = surfaceArea(rightLo, hi) * counts.right;
     const double cost = 15.0 + 20.0 * (left + right) / surfaceArea(lo, hi);
     return counts.left == 0 || counts.right == 0 ? 0.8 * cost : cost;
-}
-
-Split sweep(const Scene& scene, int axis) {
-    std::vector<Event> events(2 * scene.boxes.size()), scratch(2 * scene.boxes.size());
-    Event* end = events.data();
-    for (uint32_t i = 0; i < scene.boxes.size(); ++i) end = writeEvents(end, scene.boxes[i], axis, i);
-    const std::span<Event> filled(events.data(), end);
-    sortEvents(filled, scratch.data());
-    return sweepEvents(noSplit(), filled, scene.cell, static_cast<uint32_t>(axis),
-                       static_cast<uint32_t>(scene.boxes.size()));
 }
 
 // The cost of the plane that was chosen, by counting again; infinite if there is none.

@@ -8,22 +8,19 @@
 #include <cstdio>
 #include <optional>
 
-#include "kdtree/events.h"
-#include "kdtree/support_scenes.h"
+#include "survey/box_scene.h"
 
 namespace cleave {
 namespace {
 
+using Scene = test::BoxScene;
+using test::sweep;
+
 constexpr uint32_t kSeeds = 4000;
 
-// Boxes in a cell, all coordinates integers and so small that every cost is an exact integer, in float as well.
-struct Scene {
-    Box cell;
-    std::vector<Box> boxes;
-};
-
-// Points strictly inside the cell, so that the object median is a plane that may be chosen: spread evenly, crowded
-// towards a corner, or in two clumps.
+// All coordinates are integers, and so small that every cost is an exact integer, in float as well. Points strictly
+// inside the cell, so that the object median is a plane that may be chosen: spread evenly, crowded towards a corner, or
+// in two clumps.
 Scene pointScene(uint32_t seed) {
     test::Random random(seed);
     Scene scene{{vec3(0), vec3(0)}, std::vector<Box>(1 + random.below(60))};
@@ -101,16 +98,6 @@ int64_t leastOf(const std::vector<Candidate>& costs) {
     int64_t least = costs[0].cost;
     for (const Candidate& c : costs) least = std::min(least, c.cost);
     return least;
-}
-
-Split sweep(const Scene& scene, int axis) {
-    std::vector<Event> events(2 * scene.boxes.size()), scratch(2 * scene.boxes.size());
-    Event* end = events.data();
-    for (uint32_t i = 0; i < scene.boxes.size(); ++i) end = writeEvents(end, scene.boxes[i], axis, i);
-    const std::span<Event> filled(events.data(), end);
-    sortEvents(filled, scratch.data());
-    return sweepEvents(noSplit(), filled, scene.cell, static_cast<uint32_t>(axis),
-                       static_cast<uint32_t>(scene.boxes.size()));
 }
 
 TEST(MinimumBetweenMedians, HoldsForPoints) {

@@ -14,13 +14,7 @@ inline std::vector<Triangle> turnedGrid(uint32_t n) {
                     v = static_cast<float>(j) / static_cast<float>(n) - 0.5f;
         return vec3(0.8f * u - 0.6f * v, 0.6f * u + 0.8f * v, 0.1f * u * v + 0.03f * u);
     };
-    std::vector<Triangle> triangles;
-    for (uint32_t i = 0; i < n; ++i)
-        for (uint32_t j = 0; j < n; ++j) {
-            triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-            triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-        }
-    return triangles;
+    return sheetOf(n, at);
 }
 
 }  // namespace cleave::test
