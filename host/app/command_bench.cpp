@@ -11,9 +11,6 @@
 namespace cleave {
 namespace {
 
-// Rays per set that are judged before any time is told, unless --check asks for another number.
-constexpr uint64_t kCheckedRays = 2048;
-
 struct RaySet {
     std::vector<Ray> rays;
     Query query = Query::closest;
@@ -51,8 +48,7 @@ SetFigures measure(Run& run, Session& session, const DeviceTree& tree, const Ray
     Tracer::Result traced = tracer.trace(tree, set.rays, set.query, mode);
     figures.invalidRays = traced.invalidRays;
     figures.cappedRays = traced.cappedRays;
-    figures.check =
-        session.check(set.rays, traced.hits, set.query, run.options.check > 0 ? run.options.check : kCheckedRays);
+    figures.check = session.check(set.rays, traced.hits, set.query, raysToJudge(run.options));
     if (mode.test != TriangleTest::plain)
         requireAnswered(traced, figures.check, session.scene().name + ", " + name + " rays");
     if (run.options.triangleTests.size() > 1)
@@ -98,10 +94,7 @@ Json modeJson(const ModeFigures& mode) {
         json = traceJson(mode.traversal, mode.test, set.rays, set.ms, set.invalidRays, set.cappedRays);
         json["check"] = checkJson(set.check);
         if (set.resolvedShare) json["resolvedShare"] = *set.resolvedShare;
-        sum.rays += set.check.rays;
-        sum.mismatches += set.check.mismatches;
-        sum.undecided += set.check.undecided;
-        sum.maxRelativeTError = std::max(sum.maxRelativeTError, set.check.maxRelativeTError);
+        sum.add(set.check);
     }
     return {{"traversal", nameOf(mode.traversal)},
             {"triangleTest", nameOf(mode.test)},

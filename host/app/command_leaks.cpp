@@ -18,16 +18,15 @@ struct LeakFigures {
     double ms = 0.0;
 };
 
-LeakFigures shoot(Run& run, const ClosedMesh& mesh, const TreeUnderTest& tree, const TraversalName& traversal,
-                  uint64_t rays) {
-    LeakFigures figures{std::string(mesh.name), tree.builder, traversal.name, mesh.triangles.size(), {}, 0.0};
-    const uint64_t seed = seedFor(seedFor(run.options.seed, mesh.name), tree.builder + traversal.name);
+LeakFigures shoot(Run& run, const ClosedMesh& mesh, const TreeUnderTest& tree, Traversal traversal, uint64_t rays) {
+    LeakFigures figures{std::string(mesh.name), tree.builder, nameOf(traversal), mesh.triangles.size(), {}, 0.0};
+    const uint64_t seed = seedFor(seedFor(run.options.seed, mesh.name), tree.builder + figures.traversal);
     for (uint64_t batch = 0; figures.leaks.rays < rays; ++batch) {
-        run.progress.phase(figures.mesh + " (" + tree.builder + ", " + traversal.name + "), " +
+        run.progress.phase(figures.mesh + " (" + tree.builder + ", " + figures.traversal + "), " +
                            grouped(figures.leaks.rays) + " of " + grouped(rays) + " rays");
         const std::vector<Ray> some = leakRays(mesh, std::min(kBatch, rays - figures.leaks.rays), seed + batch);
         const Tracer::Result traced =
-            run.device.tracer().trace(*tree.onDevice, some, Query::closest, {.traversal = traversal.traversal});
+            run.device.tracer().trace(*tree.onDevice, some, Query::closest, {.traversal = traversal});
         countLeaks(figures.leaks, some, traced.hits);
         figures.ms += traced.ms;
     }
@@ -89,8 +88,7 @@ void runLeaks(Run& run) {
         const auto triangles = uploadTriangles(run.device.context(), set);
         for (const Builder builder : builders) {
             const auto tree = buildForTest(run, builder, set, triangles);
-            for (const TraversalName& traversal : kDeviceTraversals)
-                all.push_back(shoot(run, mesh, *tree, traversal, each));
+            for (const Traversal traversal : kDeviceTraversals) all.push_back(shoot(run, mesh, *tree, traversal, each));
         }
     }
     run.print("seed " + std::to_string(options.seed) + ", " + oneLine(run.device.name().value_or("")) + "\n\n" +

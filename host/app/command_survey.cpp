@@ -18,7 +18,6 @@ Json reportJson(const BuildReport& report) {
 }
 
 Json builderJson(const SurveyBuilder& b) {
-    const auto optional = [](std::optional<double> value) { return value ? numberJson(*value) : Json(nullptr); };
     return {{"builder", nameOf(b.builder)},
             {"oneThreadMs", b.oneThread},
             {"oneThreadCpuMs", b.oneCpu},
@@ -27,7 +26,7 @@ Json builderJson(const SurveyBuilder& b) {
             {"primaryMs", b.primary},
             {"diffuseMs", b.diffuse},
             {"rayCost", numberJson(b.rayCost)},
-            {"sahCost", optional(b.statistics.sahCost)},
+            {"sahCost", numberJson(b.statistics.sahCost)},
             {"references", b.statistics.references},
             {"nodes", b.statistics.nodes},
             {"treeHash", b.hash},

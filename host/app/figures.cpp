@@ -20,11 +20,6 @@ std::string rangeOf(const std::vector<double>& values) {
     return fixed(*least, 3) + ".." + fixed(*most, 3);
 }
 
-std::optional<double> ratio(std::optional<double> value, std::optional<double> to) {
-    if (!value || !to || *to == 0.0) return std::nullopt;
-    return *value / *to;
-}
-
 Row treeRow(const BuiltTree& built, const TreeStatistics* exact, uint64_t included) {
     const TreeStatistics& s = built.statistics;
     const auto references = static_cast<double>(s.references);
@@ -57,9 +52,7 @@ Row rayRow(Builder builder, const ModeFigures& mode, bool modesDiffer) {
     for (const SetFigures& set : mode.sets) {
         row.push_back(set.rays > 0 ? fixed(set.ms, 3) : "-");
         row.push_back(fixed(mraysPerSecond(set.rays, set.ms), 3));
-        sum.rays += set.check.rays;
-        sum.mismatches += set.check.mismatches;
-        sum.undecided += set.check.undecided;
+        sum.add(set.check);
     }
     if (modesDiffer) row.push_back(resolvedText(mode));
     row.insert(row.end(), {grouped(sum.rays), grouped(sum.mismatches), grouped(sum.undecided)});

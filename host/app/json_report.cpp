@@ -5,12 +5,8 @@
 #include "app/write_file.h"
 
 namespace cleave {
-namespace {
 
-Json optionalJson(std::optional<double> value) { return value ? numberJson(*value) : Json(nullptr); }
-
-}  // namespace
-
+Json numberJson(std::optional<double> value) { return value ? numberJson(*value) : Json(nullptr); }
 Json numberJson(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json sceneJson(const Session& session) {
@@ -34,7 +30,7 @@ Json buildJson(const BuiltTree& built) {
             {"ms", numberJson(built.ms)},
             {"runsMs", built.runs},
             {"setupMs", numberJson(built.setupMs)},
-            {"sahCost", optionalJson(s.sahCost)},
+            {"sahCost", numberJson(s.sahCost)},
             {"treeHash", built.hash},
             {"nodes", s.nodes},
             {"leaves", s.leaves},
@@ -46,9 +42,9 @@ Json buildJson(const BuiltTree& built) {
             {"peakBytes", built.peakBytes},
             {"memoryLimited", built.memoryLimited},
             {"kernelsMs", kernels},
-            {"expectedInner", optionalJson(s.expectedInner)},
-            {"expectedLeaves", optionalJson(s.expectedLeaves)},
-            {"expectedTriangles", optionalJson(s.expectedTriangles)}};
+            {"expectedInner", numberJson(s.expectedInner)},
+            {"expectedLeaves", numberJson(s.expectedLeaves)},
+            {"expectedTriangles", numberJson(s.expectedTriangles)}};
 }
 
 Json traceJson(Traversal traversal, TriangleTest test, uint64_t rays, double ms, uint64_t invalidRays,
@@ -57,7 +53,7 @@ Json traceJson(Traversal traversal, TriangleTest test, uint64_t rays, double ms,
             {"triangleTest", nameOf(test)},
             {"rays", rays},
             {"ms", numberJson(ms)},
-            {"mraysPerSecond", optionalJson(mraysPerSecond(rays, ms))},
+            {"mraysPerSecond", numberJson(mraysPerSecond(rays, ms))},
             {"invalidRays", invalidRays},
             {"cappedRays", cappedRays}};
 }

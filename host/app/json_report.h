@@ -18,6 +18,7 @@ Json checkJson(const CheckResult& result);
 
 // A finite number, or null: JSON knows no infinity.
 Json numberJson(double value);
+Json numberJson(std::optional<double> value);
 
 // Adds device and total, and writes the file of --json where one is asked for.
 void writeReport(const Run& run, Json report);

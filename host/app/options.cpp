@@ -323,6 +323,8 @@ std::string nameOf(Builder builder) { return std::string(builder.name); }
 std::string nameOf(Traversal traversal) { return nameIn(kTraversals, traversal); }
 std::string nameOf(TriangleTest test) { return nameIn(kTriangleTests, test); }
 
+uint64_t raysToJudge(const Options& options) { return options.check > 0 ? options.check : 2048; }
+
 TraceMode traceMode(const Options& options) {
     return {options.traversals.front(), options.triangleTests.front(), false};
 }

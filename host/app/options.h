@@ -72,6 +72,9 @@ struct Options {
 // A text to print instead of a run: help or version.
 using Request = std::variant<Options, std::string>;
 
+// Rays per set that a benchmark judges before it tells any time: those of --check, or 2048.
+uint64_t raysToJudge(const Options& options);
+
 // How the rays of a command that knows one way go.
 TraceMode traceMode(const Options& options);
 

@@ -41,8 +41,8 @@ std::vector<TraversalUnderTest> traversalsFor(Run& run, const TriangleSet& set) 
         };
     };
     std::vector<TraversalUnderTest> traversals;
-    for (const TraversalName& t : kDeviceTraversals) traversals.push_back({t.name, onDevice(t.traversal)});
-    traversals.push_back(hostStack(set, kStackWork));
+    for (const Traversal t : kDeviceTraversals) traversals.push_back({nameOf(t), onDevice(t)});
+    traversals.push_back(hostStack(set, kStackWork, run.options.settings.threads));
     return traversals;
 }
 

@@ -9,12 +9,7 @@
 
 namespace cleave {
 
-struct TraversalName {
-    Traversal traversal;
-    const char* name;
-};
-inline constexpr std::array<TraversalName, 2> kDeviceTraversals = {
-    {{Traversal::restart, "restart"}, {Traversal::stack, "stack"}}};
+inline constexpr std::array kDeviceTraversals{Traversal::restart, Traversal::stack};
 
 // Builds with the settings of the run's options; the tree is on the host and on the device.
 std::shared_ptr<TreeUnderTest> buildForTest(Run& run, Builder builder, const TriangleSet& set,

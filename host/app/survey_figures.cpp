@@ -14,9 +14,6 @@
 namespace cleave {
 namespace {
 
-// Rays of a set and builder that are judged, unless --check asks for another number.
-constexpr uint64_t kCheckedRays = 2048;
-
 // The first is what the others are compared with.
 constexpr std::string_view kBuilders[] = {"exact",    "exact-nlog2n", "hunt-all",       "hunt-hybrid",  "hunt-one",
                                           "shevtsov", "gpu",          "spatial-median", "object-median"};
@@ -36,12 +33,9 @@ std::vector<Hit> traceJudged(Run& run, Session& session, const DeviceTree& tree,
     if (rays.empty()) return {};
     run.progress.phase("checking " + what);
     Tracer::Result traced = run.device.tracer().trace(tree, rays, Query::closest);
-    const uint64_t count = run.options.check > 0 ? run.options.check : kCheckedRays;
-    const CheckResult check = session.check(rays, traced.hits, Query::closest, count);
+    const CheckResult check = session.check(rays, traced.hits, Query::closest, raysToJudge(run.options));
     requireAnswered(traced, check, what);
-    sum.rays += check.rays;
-    sum.undecided += check.undecided;
-    sum.maxRelativeTError = std::max(sum.maxRelativeTError, check.maxRelativeTError);
+    sum.add(check);
     return std::move(traced.hits);
 }
 

@@ -66,11 +66,6 @@ Figure timeToImage(const SurveyBuilder* b) {
     return build && primary ? Figure(*build + uploadTime(b).value_or(0.0) + *primary) : std::nullopt;
 }
 
-Figure ratio(Figure value, Figure to) {
-    if (!value || !to || *to == 0.0) return std::nullopt;
-    return *value / *to;
-}
-
 Figure perCentMore(Figure value, Figure than) {
     const Figure r = ratio(value, than);
     return r ? Figure(100.0 * (*r - 1.0)) : std::nullopt;

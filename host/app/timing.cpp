@@ -17,6 +17,11 @@ std::optional<double> mraysPerSecond(uint64_t rays, double ms) {
     return static_cast<double>(rays) / (1000.0 * ms);
 }
 
+std::optional<double> ratio(std::optional<double> value, std::optional<double> to) {
+    if (!value || !to || *to == 0.0) return std::nullopt;
+    return *value / *to;
+}
+
 uint64_t processPeakBytes() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);

@@ -1,14 +1,13 @@
 #include "kernel.h"
 
-#include <chrono>
-
 #include "spirv.h"
+#include "stopwatch.h"
 
 namespace cleave {
 
 Kernel::Kernel(Context& context, const std::string& name, size_t pushBytes, std::vector<uint32_t> constants)
     : context_(context), name_(name), pushBytes_(pushBytes) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const std::span<const uint32_t> words = spirv(name);
     VkPushConstantRange range{VK_SHADER_STAGE_COMPUTE_BIT, 0, static_cast<uint32_t>(pushBytes)};
     VkPipelineLayoutCreateInfo layout{};
@@ -41,7 +40,7 @@ Kernel::Kernel(Context& context, const std::string& name, size_t pushBytes, std:
         vkCreateComputePipelines(context.device, context.pipelineCache, 1, &info, nullptr, &pipeline_);
     vkDestroyShaderModule(context.device, shader, nullptr);
     check(result, ("creating the pipeline of kernel " + name).c_str());
-    context.setupMs += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    context.setupMs += watch.milliseconds();
 }
 
 Kernel::~Kernel() {

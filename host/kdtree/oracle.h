@@ -67,6 +67,8 @@ struct CheckResult {
     uint64_t undecided = 0;
     double maxRelativeTError = 0.0;
     std::string first;
+
+    void add(const CheckResult& more);  // its counts and its error; `first` stays
 };
 // Judges up to `count` of the rays, spread evenly; hits[i] answers rays[i]. Uses `threads` threads.
 CheckResult check(const Reference& reference, std::span<const Ray> rays, std::span<const Hit> hits, Query query,

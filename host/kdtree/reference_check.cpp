@@ -2,15 +2,16 @@
 #include <algorithm>
 #include <limits>
 #include <sstream>
-#include <thread>
 
 #include "error.h"
 #include "kdtree/oracle.h"
+#include "strided.h"
 
 namespace cleave {
 namespace {
 
-struct Tally {
+// Of one thread; not in one cache line with the next one's.
+struct alignas(64) Tally {
     uint64_t mismatches = 0;
     uint64_t undecided = 0;
     double maxRelativeTError = 0.0;
@@ -32,6 +33,13 @@ std::string described(uint64_t index, const Ray& ray, const Hit& hit) {
 
 }  // namespace
 
+void CheckResult::add(const CheckResult& more) {
+    rays += more.rays;
+    mismatches += more.mismatches;
+    undecided += more.undecided;
+    maxRelativeTError = std::max(maxRelativeTError, more.maxRelativeTError);
+}
+
 CheckResult check(const Reference& reference, std::span<const Ray> rays, std::span<const Hit> hits, Query query,
                   uint64_t count, uint32_t threads) {
     if (rays.size() != hits.size())
@@ -40,26 +48,17 @@ CheckResult check(const Reference& reference, std::span<const Ray> rays, std::sp
     CheckResult result;
     result.rays = std::min<uint64_t>(count, rays.size());
     const auto indexOf = [&](uint64_t i) { return i * rays.size() / result.rays; };
-    const uint64_t workers = std::max<uint64_t>(1, threads);
-    std::vector<Tally> tallies(workers);
-    const auto work = [&](uint64_t worker) {
-        Tally tally;
-        for (uint64_t i = worker; i < result.rays; i += workers) {
-            const uint64_t index = indexOf(i);
-            const Reference::Judgement judgement = reference.judge(rays[index], hits[index], query);
-            tally.undecided += judgement.verdict == Reference::Verdict::undecided ? 1 : 0;
-            tally.maxRelativeTError = std::max(tally.maxRelativeTError, judgement.relativeTError);
-            if (judgement.verdict != Reference::Verdict::mismatch) continue;
-            ++tally.mismatches;
-            tally.firstMismatch = std::min(tally.firstMismatch, index);
-        }
-        tallies[worker] = tally;
-    };
-    {
-        std::vector<std::jthread> pool;
-        for (uint64_t worker = 1; worker < workers; ++worker) pool.emplace_back(work, worker);
-        work(0);
-    }
+    std::vector<Tally> tallies(std::max(1u, threads));
+    forEachStrided(result.rays, threads, [&](size_t worker, size_t i) {
+        Tally& tally = tallies[worker];
+        const uint64_t index = indexOf(i);
+        const Reference::Judgement judgement = reference.judge(rays[index], hits[index], query);
+        tally.undecided += judgement.verdict == Reference::Verdict::undecided ? 1 : 0;
+        tally.maxRelativeTError = std::max(tally.maxRelativeTError, judgement.relativeTError);
+        if (judgement.verdict != Reference::Verdict::mismatch) return;
+        ++tally.mismatches;
+        tally.firstMismatch = std::min(tally.firstMismatch, index);
+    });
     uint64_t first = std::numeric_limits<uint64_t>::max();
     for (const Tally& tally : tallies) {
         result.mismatches += tally.mismatches;

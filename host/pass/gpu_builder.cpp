@@ -1,8 +1,7 @@
 #include "gpu_builder.h"
 
-#include <chrono>
-
 #include "build_passes.h"
+#include "stopwatch.h"
 
 namespace cleave {
 
@@ -60,7 +59,7 @@ GpuBuilder::GpuBuilder(Context& context) : impl_(std::make_unique<Impl>(context)
 GpuBuilder::~GpuBuilder() = default;
 
 GpuBuilder::Result GpuBuilder::build(std::shared_ptr<DeviceTriangles> triangles, const BuildSettings& settings) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const uint64_t included = triangles->includedCount;
     const uint32_t below = settings.exactBelow;
     Result result;
@@ -82,7 +81,7 @@ GpuBuilder::Result GpuBuilder::build(std::shared_ptr<DeviceTriangles> triangles,
     result.tree = impl_->tree(std::move(triangles), state);
     result.levels = state.levels;
     result.peakBytes = impl_->buffers.bytes() + result.tree->nodes.size() + result.tree->leafTriangles.size();
-    result.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    result.ms = watch.milliseconds();
     return result;
 }
 
@@ -94,7 +93,7 @@ std::vector<KernelTime> GpuBuilder::profile(const DeviceTriangles& triangles, co
 }
 
 void GpuBuilder::warmUp() {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     TriangleSet tiny;
     // Enough overlapping triangles for every kernel to run: some straddle, and there are more than kExactBelow.
     for (uint32_t i = 0; i < 3 * kExactBelow; i++) {
@@ -104,8 +103,7 @@ void GpuBuilder::warmUp() {
     }
     tiny.bounds = Box{{0.0f, 0.0f, 0.0f}, {1.05f, 0.5f, 0.5f}};
     build(uploadTriangles(impl_->context, tiny), BuildSettings{});
-    impl_->context.setupMs +=
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    impl_->context.setupMs += watch.milliseconds();
 }
 
 }  // namespace cleave

@@ -1,12 +1,12 @@
 #include "tracer.h"
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 
 #include "device_arrays.h"
 #include "gpu/recorder.h"
 #include "shared/dispatch.h"
+#include "stopwatch.h"
 
 namespace cleave {
 
@@ -40,11 +40,11 @@ struct Tracer::Impl {
     }
 
     void warmUp(const Kernel& kernel) {
-        const auto start = std::chrono::steady_clock::now();
+        const Stopwatch watch;
         Recorder recorder(context);
         recorder.dispatch(kernel, TracePush{}, 1);
         recorder.submit();
-        context.setupMs += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+        context.setupMs += watch.milliseconds();
     }
 
     void reserve(Buffer& buffer, size_t bytes) {

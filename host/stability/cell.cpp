@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <sstream>
-#include <thread>
 
 #include "error.h"
+#include "strided.h"
 
 namespace cleave {
 namespace {
@@ -64,14 +64,8 @@ void add(Cell& cell, const Reference::Judgement& judgement) {
 std::vector<Reference::Judgement> judgeAll(const Reference& reference, std::span<const Ray> rays,
                                            std::span<const Hit> hits, uint32_t threads) {
     std::vector<Reference::Judgement> judged(rays.size());
-    const auto work = [&](size_t first) {
-        for (size_t i = first; i < rays.size(); i += threads)
-            judged[i] = reference.judge(rays[i], hits[i], Query::closest);
-    };
-    std::vector<std::jthread> pool;
-    for (size_t worker = 1; worker < threads; ++worker) pool.emplace_back(work, worker);
-    work(0);
-    pool.clear();
+    forEachStrided(rays.size(), threads,
+                   [&](size_t, size_t i) { judged[i] = reference.judge(rays[i], hits[i], Query::closest); });
     return judged;
 }
 

@@ -1,26 +1,9 @@
 #include "stability/sweep.h"
 
-#include <chrono>
-#include <thread>
+#include "stopwatch.h"
+#include "strided.h"
 
 namespace cleave {
-namespace {
-
-// hits[i] = answer(i), on several threads.
-template <class Answer>
-std::vector<Hit> answered(size_t count, uint32_t threads, Answer answer) {
-    std::vector<Hit> hits(count);
-    const auto work = [&](size_t first) {
-        for (size_t i = first; i < count; i += threads) hits[i] = answer(i);
-    };
-    std::vector<std::jthread> pool;
-    for (size_t worker = 1; worker < threads; ++worker) pool.emplace_back(work, worker);
-    work(0);
-    pool.clear();
-    return hits;
-}
-
-}  // namespace
 
 SceneSweep::SceneSweep(std::string scene, std::span<const Triangle> world, const TriangleSet& set,
                        const SweepSettings& settings)
@@ -28,8 +11,10 @@ SceneSweep::SceneSweep(std::string scene, std::span<const Triangle> world, const
 
 std::vector<Hit> SceneSweep::answer(std::span<const Ray> rays) const {
     if (!isSmall(rays.size())) return firstTraversal_->trace(*firstTree_, rays).hits;
-    return answered(rays.size(), settings_.threads,
-                    [&](size_t i) { return bruteForce(set_, rays[i], Query::closest); });
+    std::vector<Hit> hits(rays.size());
+    forEachStrided(rays.size(), settings_.threads,
+                   [&](size_t, size_t i) { hits[i] = bruteForce(set_, rays[i], Query::closest); });
+    return hits;
 }
 
 Volley SceneSweep::volley(const RayFamily& family, const KdTree* tree) const {
@@ -71,13 +56,14 @@ std::vector<Cell> SceneSweep::run(std::shared_ptr<const TreeUnderTest> tree,
     return cells;
 }
 
-TraversalUnderTest hostStack(const TriangleSet& set, uint64_t mostWork) {
-    const auto trace = [&set](const TreeUnderTest& tree, std::span<const Ray> rays) {
-        const auto start = std::chrono::steady_clock::now();
+TraversalUnderTest hostStack(const TriangleSet& set, uint64_t mostWork, uint32_t threads) {
+    const auto trace = [&set, threads](const TreeUnderTest& tree, std::span<const Ray> rays) {
+        const Stopwatch watch;
         Tracer::Result result;
-        result.hits =
-            answered(rays.size(), 2, [&](size_t i) { return stackWalk(tree.tree, set, rays[i], Query::closest); });
-        result.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+        result.hits.resize(rays.size());
+        forEachStrided(rays.size(), threads,
+                       [&](size_t, size_t i) { result.hits[i] = stackWalk(tree.tree, set, rays[i], Query::closest); });
+        result.ms = watch.milliseconds();
         return result;
     };
     return {"host-stack", trace, mostWork};

@@ -58,6 +58,6 @@ class SceneSweep {
 };
 
 // A walk on the host, a textbook's (kdtree/oracle.h).
-TraversalUnderTest hostStack(const TriangleSet& set, uint64_t mostWork);
+TraversalUnderTest hostStack(const TriangleSet& set, uint64_t mostWork, uint32_t threads = 2);
 
 }  // namespace cleave
