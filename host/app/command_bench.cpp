@@ -3,8 +3,8 @@
 #include "app/commands.h"
 #include "app/figures.h"
 #include "app/json_report.h"
-#include "app/text.h"
-#include "app/write_file.h"
+#include "base/text.h"
+#include "formats/write_file.h"
 #include "scene/camera.h"
 #include "scene/ray_sets.h"
 

@@ -1,7 +1,7 @@
 #include "app/commands.h"
 #include "app/json_report.h"
-#include "app/text.h"
-#include "app/write_file.h"
+#include "base/text.h"
+#include "formats/write_file.h"
 
 namespace cleave {
 

@@ -1,10 +1,10 @@
 #include "app/commands.h"
 #include "app/json_report.h"
-#include "app/text.h"
-#include "app/write_file.h"
-#include "error.h"
-#include "kdtree/leaf_reasons.h"
-#include "kdtree/validate.h"
+#include "base/error.h"
+#include "base/text.h"
+#include "formats/write_file.h"
+#include "judge/validate.h"
+#include "measure/leaf_reasons.h"
 
 namespace cleave {
 namespace {

@@ -2,8 +2,8 @@
 #include "app/commands.h"
 #include "app/json_report.h"
 #include "app/stability_trees.h"
-#include "app/text.h"
-#include "error.h"
+#include "base/error.h"
+#include "base/text.h"
 #include "stability/closed_meshes.h"
 
 namespace cleave {

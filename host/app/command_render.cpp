@@ -3,9 +3,9 @@
 #include "app/commands.h"
 #include "app/json_report.h"
 #include "app/legend.h"
-#include "app/png.h"
-#include "app/text.h"
-#include "app/write_file.h"
+#include "base/text.h"
+#include "formats/png.h"
+#include "formats/write_file.h"
 #include "scene/camera.h"
 
 namespace cleave {

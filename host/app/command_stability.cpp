@@ -3,10 +3,10 @@
 #include "app/commands.h"
 #include "app/stability_figures.h"
 #include "app/stability_trees.h"
-#include "app/text.h"
-#include "app/write_file.h"
-#include "error.h"
-#include "kdtree/builder_names.h"
+#include "base/error.h"
+#include "base/text.h"
+#include "builders/builder_names.h"
+#include "formats/write_file.h"
 #include "stability/cases.h"
 
 namespace cleave {

@@ -2,8 +2,8 @@
 #include "app/commands.h"
 #include "app/json_report.h"
 #include "app/survey_tables.h"
-#include "app/text.h"
-#include "app/write_file.h"
+#include "base/text.h"
+#include "formats/write_file.h"
 
 namespace cleave {
 namespace {

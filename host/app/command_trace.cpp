@@ -1,8 +1,8 @@
 #include "app/commands.h"
 #include "app/json_report.h"
-#include "app/npy.h"
-#include "app/text.h"
-#include "app/write_file.h"
+#include "base/text.h"
+#include "formats/npy.h"
+#include "formats/write_file.h"
 
 namespace cleave {
 

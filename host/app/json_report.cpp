@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "app/write_file.h"
+#include "formats/write_file.h"
 
 namespace cleave {
 

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "app/option_values.h"
-#include "error.h"
-#include "kdtree/builder_names.h"
+#include "base/error.h"
+#include "builders/builder_names.h"
 #include "stability/cases.h"
 
 namespace cleave {

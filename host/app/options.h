@@ -10,10 +10,10 @@
 #include <variant>
 #include <vector>
 
-#include "kdtree/kd_tree.h"
-#include "kdtree/oracle.h"
+#include "judge/oracle.h"
 #include "pass/renderer.h"
 #include "pass/tracer.h"
+#include "tree/kd_tree.h"
 
 namespace cleave {
 

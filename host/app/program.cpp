@@ -6,8 +6,8 @@
 #include <string>
 
 #include "app/commands.h"
-#include "app/text.h"
-#include "error.h"
+#include "base/error.h"
+#include "base/text.h"
 
 namespace cleave {
 namespace {

@@ -1,8 +1,8 @@
 #include "app/session.h"
 
-#include "app/text.h"
-#include "error.h"
-#include "kdtree/builder_names.h"
+#include "base/error.h"
+#include "base/text.h"
+#include "builders/builder_names.h"
 #include "scene/camera.h"
 #include "twin/twin_builder.h"
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "app/run.h"
-#include "kdtree/oracle.h"
-#include "kdtree/statistics.h"
+#include "judge/oracle.h"
+#include "measure/statistics.h"
 #include "scene/scene.h"
 
 namespace cleave {

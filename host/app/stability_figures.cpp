@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <map>
 
-#include "app/text.h"
+#include "base/text.h"
 
 namespace cleave {
 namespace {

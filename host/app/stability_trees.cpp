@@ -1,6 +1,6 @@
 #include "app/stability_trees.h"
 
-#include "kdtree/builder_names.h"
+#include "builders/builder_names.h"
 #include "twin/twin_builder.h"
 
 namespace cleave {

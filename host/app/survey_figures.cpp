@@ -5,9 +5,9 @@
 #include <cmath>
 #include <ctime>
 
-#include "app/text.h"
-#include "error.h"
-#include "kdtree/builder_names.h"
+#include "base/error.h"
+#include "base/text.h"
+#include "builders/builder_names.h"
 #include "scene/camera.h"
 #include "scene/ray_sets.h"
 

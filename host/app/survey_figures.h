@@ -7,8 +7,8 @@
 
 #include "app/session.h"
 #include "app/survey_published.h"
-#include "kdtree/builders.h"
-#include "kdtree/straddling.h"
+#include "builders/builders.h"
+#include "measure/straddling.h"
 
 namespace cleave {
 

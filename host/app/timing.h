@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "stopwatch.h"
+#include "base/stopwatch.h"
 
 namespace cleave {
 

@@ -3,4 +3,4 @@
 #pragma GCC diagnostic ignored "-Wshadow"
 #pragma GCC diagnostic ignored "-Wextra"
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
-#include "allocator.h"
+#include "gpu/allocator.h"

@@ -1,12 +1,12 @@
-#include "buffer.h"
+#include "gpu/buffer.h"
 
 #include <algorithm>
 #include <cstring>
 #include <utility>
 
-#include "allocator.h"
-#include "error.h"
-#include "recorder.h"
+#include "base/error.h"
+#include "gpu/allocator.h"
+#include "gpu/recorder.h"
 
 namespace cleave {
 

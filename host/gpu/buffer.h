@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "device.h"
+#include "gpu/device.h"
 
 VK_DEFINE_HANDLE(VmaAllocation)
 

@@ -1,4 +1,4 @@
-#include "device.h"
+#include "gpu/device.h"
 
 #include <unistd.h>
 
@@ -7,9 +7,9 @@
 #include <fstream>
 #include <iterator>
 
-#include "allocator.h"
-#include "error.h"
-#include "instance.h"
+#include "base/error.h"
+#include "gpu/allocator.h"
+#include "gpu/instance.h"
 
 namespace cleave {
 

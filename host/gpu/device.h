@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "context.h"
+#include "gpu/context.h"
 
 VK_DEFINE_HANDLE(VmaAllocator)
 

@@ -1,4 +1,4 @@
-#include "instance.h"
+#include "gpu/instance.h"
 
 #include <algorithm>
 #include <cctype>
@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "device.h"
-#include "error.h"
+#include "base/error.h"
+#include "gpu/device.h"
 
 namespace cleave {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "context.h"
+#include "gpu/context.h"
 
 namespace cleave {
 

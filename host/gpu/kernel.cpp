@@ -1,7 +1,7 @@
-#include "kernel.h"
+#include "gpu/kernel.h"
 
-#include "spirv.h"
-#include "stopwatch.h"
+#include "base/stopwatch.h"
+#include "gpu/spirv.h"
 
 namespace cleave {
 

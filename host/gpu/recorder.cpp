@@ -1,8 +1,8 @@
-#include "recorder.h"
+#include "gpu/recorder.h"
 
 #include <algorithm>
 
-#include "error.h"
+#include "base/error.h"
 #include "shared/dispatch.h"
 
 namespace cleave {

@@ -3,8 +3,8 @@
 
 #include <type_traits>
 
-#include "buffer.h"
-#include "kernel.h"
+#include "gpu/buffer.h"
+#include "gpu/kernel.h"
 
 namespace cleave {
 

@@ -1,8 +1,8 @@
-#include "spirv.h"
+#include "gpu/spirv.h"
 
 #include <map>
 
-#include "error.h"
+#include "base/error.h"
 
 namespace cleave {
 

@@ -1,4 +1,4 @@
-#include "build_buffers.h"
+#include "pass/build_buffers.h"
 
 namespace cleave {
 

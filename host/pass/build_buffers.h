@@ -1,9 +1,9 @@
 // The device's arrays of a build: shared/build.h's BuildArgs, filled in.
 #pragma once
 
-#include "device_arrays.h"
-#include "kdtree/build_capacity.h"
-#include "kdtree/kd_tree.h"
+#include "pass/device_arrays.h"
+#include "tree/kd_tree.h"
+#include "twin/build_capacity.h"
 
 namespace cleave {
 

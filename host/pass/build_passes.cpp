@@ -1,4 +1,4 @@
-#include "build_passes.h"
+#include "pass/build_passes.h"
 
 #include <cstddef>
 

@@ -1,9 +1,9 @@
 // The kernels of a build, and in which order they run.
 #pragma once
 
-#include "build_buffers.h"
 #include "gpu/kernel.h"
 #include "gpu/recorder.h"
+#include "pass/build_buffers.h"
 
 namespace cleave {
 

@@ -1,8 +1,8 @@
 // What DeviceTriangles and DeviceTree are made of. For the rooms gpu and pass only.
 #pragma once
 
-#include "device_tree.h"
 #include "gpu/buffer.h"
+#include "pass/device_tree.h"
 
 namespace cleave {
 

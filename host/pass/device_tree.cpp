@@ -1,8 +1,8 @@
-#include "device_tree.h"
+#include "pass/device_tree.h"
 
-#include "device_arrays.h"
-#include "error.h"
-#include "kdtree/build_capacity.h"
+#include "base/error.h"
+#include "pass/device_arrays.h"
+#include "twin/build_capacity.h"
 
 namespace cleave {
 

@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "gpu/context.h"
-#include "kdtree/kd_tree.h"
-#include "kdtree/triangle_set.h"
+#include "tree/kd_tree.h"
+#include "tree/triangle_set.h"
 
 namespace cleave {
 

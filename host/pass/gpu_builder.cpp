@@ -1,7 +1,7 @@
-#include "gpu_builder.h"
+#include "pass/gpu_builder.h"
 
-#include "build_passes.h"
-#include "stopwatch.h"
+#include "base/stopwatch.h"
+#include "pass/build_passes.h"
 
 namespace cleave {
 

@@ -1,8 +1,8 @@
 // The GPU builder: which kernel when (survey section 7; breadth-first, level by level).
 #pragma once
 
-#include "device_tree.h"
 #include "gpu/context.h"
+#include "pass/device_tree.h"
 
 namespace cleave {
 

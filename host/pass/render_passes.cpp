@@ -1,4 +1,4 @@
-#include "render_passes.h"
+#include "pass/render_passes.h"
 
 #include "shared/dispatch.h"
 

@@ -1,10 +1,10 @@
-#include "renderer.h"
+#include "pass/renderer.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "device_arrays.h"
-#include "render_passes.h"
+#include "pass/device_arrays.h"
+#include "pass/render_passes.h"
 
 namespace cleave {
 

@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "device_tree.h"
+#include "pass/device_tree.h"
+#include "pass/tracer.h"
 #include "scene/scene.h"
 #include "shared/ray.h"
-#include "tracer.h"
 
 namespace cleave {
 

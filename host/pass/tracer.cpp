@@ -1,12 +1,12 @@
-#include "tracer.h"
+#include "pass/tracer.h"
 
 #include <algorithm>
 #include <map>
 
-#include "device_arrays.h"
+#include "base/stopwatch.h"
 #include "gpu/recorder.h"
+#include "pass/device_arrays.h"
 #include "shared/dispatch.h"
-#include "stopwatch.h"
 
 namespace cleave {
 

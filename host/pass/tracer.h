@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "device_tree.h"
-#include "kdtree/oracle.h"
+#include "judge/oracle.h"
+#include "pass/device_tree.h"
 #include "shared/ray.h"
 #include "shared/trace.h"
 

@@ -1,9 +1,9 @@
-#include "camera.h"
+#include "scene/camera.h"
 
 #include <cmath>
 #include <numbers>
 
-#include "error.h"
+#include "base/error.h"
 
 namespace cleave {
 namespace {

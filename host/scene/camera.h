@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "scene.h"
+#include "scene/scene.h"
 #include "shared/box.h"
 #include "shared/ray.h"
 

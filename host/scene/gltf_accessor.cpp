@@ -1,9 +1,9 @@
-#include "gltf_accessor.h"
+#include "scene/gltf_accessor.h"
 
 #include <algorithm>
 #include <cstring>
 
-#include "gltf_file.h"
+#include "scene/gltf_file.h"
 
 namespace cleave {
 namespace {

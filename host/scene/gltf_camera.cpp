@@ -1,4 +1,4 @@
-#include "gltf_camera.h"
+#include "scene/gltf_camera.h"
 
 #include <cmath>
 #include <numbers>

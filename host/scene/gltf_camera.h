@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <optional>
 
-#include "scene.h"
+#include "scene/scene.h"
 
 namespace cleave {
 

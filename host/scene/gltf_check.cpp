@@ -1,10 +1,10 @@
-#include "gltf_check.h"
+#include "scene/gltf_check.h"
 
 #include <array>
 #include <cstdint>
 #include <limits>
 
-#include "gltf_file.h"
+#include "scene/gltf_file.h"
 
 namespace cleave {
 namespace {

@@ -1,10 +1,10 @@
-#include "gltf_file.h"
+#include "scene/gltf_file.h"
 
 #include <bit>
 #include <cstring>
 #include <fstream>
 
-#include "error.h"
+#include "base/error.h"
 
 namespace cleave {
 namespace {

@@ -1,10 +1,10 @@
-#include "gltf_model.h"
+#include "scene/gltf_model.h"
 
 #include <algorithm>
 #include <array>
 
-#include "gltf_check.h"
-#include "gltf_uri.h"
+#include "scene/gltf_check.h"
+#include "scene/gltf_uri.h"
 
 namespace cleave {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "gltf_file.h"
+#include "scene/gltf_file.h"
 
 namespace cleave {
 

@@ -1,4 +1,4 @@
-#include "gltf_nodes.h"
+#include "scene/gltf_nodes.h"
 
 #include <cmath>
 

@@ -1,9 +1,9 @@
-#include "gltf_primitive.h"
+#include "scene/gltf_primitive.h"
 
 #include <array>
 
-#include "gltf_accessor.h"
-#include "gltf_file.h"
+#include "scene/gltf_accessor.h"
+#include "scene/gltf_file.h"
 
 namespace cleave {
 namespace {

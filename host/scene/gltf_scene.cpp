@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <new>
 
-#include "error.h"
-#include "gltf_camera.h"
-#include "gltf_file.h"
-#include "gltf_model.h"
-#include "gltf_nodes.h"
-#include "gltf_primitive.h"
-#include "scene.h"
+#include "base/error.h"
+#include "scene/gltf_camera.h"
+#include "scene/gltf_file.h"
+#include "scene/gltf_model.h"
+#include "scene/gltf_nodes.h"
+#include "scene/gltf_primitive.h"
+#include "scene/scene.h"
 
 namespace cleave {
 namespace {

@@ -1,9 +1,9 @@
-#include "gltf_uri.h"
+#include "scene/gltf_uri.h"
 
 #include <algorithm>
 #include <cctype>
 
-#include "gltf_file.h"
+#include "scene/gltf_file.h"
 
 namespace cleave {
 namespace {

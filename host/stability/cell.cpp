@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <sstream>
 
-#include "error.h"
-#include "strided.h"
+#include "base/error.h"
+#include "base/strided.h"
 
 namespace cleave {
 namespace {

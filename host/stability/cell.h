@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "kdtree/oracle.h"
+#include "judge/oracle.h"
 #include "pass/tracer.h"
 #include "stability/ray_families.h"
 

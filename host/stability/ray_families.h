@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "kdtree/kd_tree.h"
-#include "kdtree/triangle_set.h"
 #include "shared/ray.h"
 #include "stability/random.h"
+#include "tree/kd_tree.h"
+#include "tree/triangle_set.h"
 
 namespace cleave {
 

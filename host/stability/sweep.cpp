@@ -1,7 +1,7 @@
 #include "stability/sweep.h"
 
-#include "stopwatch.h"
-#include "strided.h"
+#include "base/stopwatch.h"
+#include "base/strided.h"
 
 namespace cleave {
 

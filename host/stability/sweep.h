@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "kdtree/statistics.h"
+#include "measure/statistics.h"
 #include "stability/cell.h"
 
 namespace cleave {

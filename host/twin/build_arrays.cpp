@@ -1,4 +1,4 @@
-#include "build_arrays.h"
+#include "twin/build_arrays.h"
 
 namespace cleave {
 

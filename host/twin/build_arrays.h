@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "kdtree/build_capacity.h"
-#include "kdtree/kd_tree.h"
-#include "kdtree/triangle_set.h"
 #include "shared/build.h"
+#include "tree/kd_tree.h"
+#include "tree/triangle_set.h"
+#include "twin/build_capacity.h"
 
 namespace cleave {
 

@@ -1,5 +1,5 @@
-#include "passes.h"
 #include "shared/clip.h"
+#include "twin/passes.h"
 
 namespace cleave::twin {
 

@@ -1,4 +1,4 @@
-#include "passes.h"
+#include "twin/passes.h"
 
 namespace cleave::twin {
 

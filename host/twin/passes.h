@@ -2,7 +2,7 @@
 // kernel of the same name (shaders/build/<name>.comp) does to the device's, bit for bit; `depth` is the level's.
 #pragma once
 
-#include "build_arrays.h"
+#include "twin/build_arrays.h"
 
 namespace cleave::twin {
 

@@ -1,4 +1,4 @@
-#include "render.h"
+#include "twin/render.h"
 
 namespace cleave::twin {
 

@@ -1,6 +1,6 @@
-#include "twin_builder.h"
+#include "twin/twin_builder.h"
 
-#include "passes.h"
+#include "twin/passes.h"
 
 namespace cleave {
 

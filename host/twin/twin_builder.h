@@ -1,8 +1,8 @@
 // The CPU twin of the GPU builder: the same passes in the same order, one file per pass, written to be obvious.
 #pragma once
 
-#include "kdtree/kd_tree.h"
-#include "kdtree/triangle_set.h"
+#include "tree/kd_tree.h"
+#include "tree/triangle_set.h"
 
 namespace cleave {
 

@@ -8,8 +8,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "app_support.h"
 #include "shared/ray.h"
+#include "support/program.h"
 
 namespace cleave::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/json_report.h"
-#include "app/text.h"
+#include "base/text.h"
 
 namespace cleave::test {
 namespace {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "app/option_values.h"
-#include "error.h"
-#include "kdtree/builder_names.h"
+#include "base/error.h"
+#include "builders/builder_names.h"
 
 namespace cleave::test {
 namespace {

@@ -4,8 +4,8 @@
 #include <set>
 
 #include "app/legend.h"
-#include "app/png.h"
-#include "error.h"
+#include "base/error.h"
+#include "formats/png.h"
 #include "shared/shade.h"
 
 namespace cleave::test {

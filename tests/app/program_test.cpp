@@ -6,8 +6,8 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "app_support.h"
 #include "shared/ray.h"
+#include "support/program.h"
 
 namespace cleave::test {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app_support.h"
-#include "error.h"
+#include "base/error.h"
+#include "support/program.h"
 
 namespace cleave::test {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <cstring>
 
-#include "kdtree/builders.h"
-#include "kdtree/oracle.h"
+#include "builders/builders.h"
+#include "judge/oracle.h"
 #include "pass/gpu_builder.h"
 #include "pass/tracer.h"
 #include "scene/camera.h"

@@ -1,7 +1,7 @@
 // The GPU builder as a whole: the same tree as its twin, in every run, and a valid one.
 #include <gtest/gtest.h>
 
-#include "kdtree/validate.h"
+#include "judge/validate.h"
 #include "pass/gpu_builder.h"
 #include "support/device.h"
 #include "support/scene_files.h"

@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "error.h"
+#include "base/error.h"
 
 namespace cleave {
 namespace {

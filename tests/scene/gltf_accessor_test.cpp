@@ -1,7 +1,7 @@
 // Where the numbers of an accessor come from, and which accessors are refused.
 #include <gtest/gtest.h>
 
-#include "gltf_text.h"
+#include "scene/gltf_text.h"
 
 namespace cleave::test {
 namespace {

@@ -1,7 +1,7 @@
 // Scene order, world placement, cameras.
 #include <gtest/gtest.h>
 
-#include "gltf_text.h"
+#include "scene/gltf_text.h"
 
 namespace cleave::test {
 namespace {

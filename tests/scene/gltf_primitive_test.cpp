@@ -1,7 +1,7 @@
 // Which triangles a primitive becomes, in which order, and what is left out.
 #include <gtest/gtest.h>
 
-#include "gltf_text.h"
+#include "scene/gltf_text.h"
 
 namespace cleave::test {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "gltf_text.h"
+#include "scene/gltf_text.h"
 
 namespace cleave::test {
 namespace {

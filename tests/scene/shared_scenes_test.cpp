@@ -5,8 +5,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "error.h"
-#include "gltf_text.h"
+#include "base/error.h"
+#include "scene/gltf_text.h"
 
 namespace cleave::test {
 namespace {

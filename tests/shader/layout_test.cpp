@@ -1,4 +1,4 @@
-#include "layout.h"
+#include "shader/layout.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // The trace kernel with a stack: the same answers, and what it is for, fewer nodes visited.
 #include <gtest/gtest.h>
 
-#include "kdtree/builders.h"
+#include "builders/builders.h"
 #include "support/device.h"
 #include "support/scenes.h"
 #include "support/trace_cases.h"

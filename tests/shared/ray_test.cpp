@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "kdtree/oracle.h"
+#include "judge/oracle.h"
 
 namespace cleave {
 namespace {

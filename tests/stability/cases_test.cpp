@@ -9,9 +9,9 @@
 #include <map>
 #include <set>
 
-#include "kdtree/triangle_set.h"
 #include "stability/closed_meshes.h"
 #include "stability/shapes.h"
+#include "tree/triangle_set.h"
 
 namespace cleave {
 namespace {

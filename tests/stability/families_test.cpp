@@ -5,8 +5,8 @@
 #include <cstring>
 #include <set>
 
-#include "kdtree/builders.h"
-#include "kdtree/oracle.h"
+#include "builders/builders.h"
+#include "judge/oracle.h"
 #include "stability/cases.h"
 #include "stability/ray_families.h"
 #include "stability/shapes.h"

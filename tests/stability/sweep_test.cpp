@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "error.h"
-#include "kdtree/builder_names.h"
+#include "base/error.h"
+#include "builders/builder_names.h"
 #include "pass/gpu_builder.h"
 #include "stability/cases.h"
 #include "stability/closed_meshes.h"

@@ -1,12 +1,12 @@
-#include "build_pass.h"
+#include "support/build_pass.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <sstream>
 
-#include "device.h"
-#include "scenes.h"
+#include "support/device.h"
+#include "support/scenes.h"
 
 namespace cleave::test {
 

@@ -1,4 +1,4 @@
-#include "device.h"
+#include "support/device.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "picture.h"
+#include "support/picture.h"
 
 namespace cleave::test {
 

@@ -1,4 +1,4 @@
-#include "query_case.h"
+#include "support/query_case.h"
 
 #include <cmath>
 #include <cstdio>

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "kdtree/kd_tree.h"
 #include "shared/ray.h"
 #include "shared/triangle.h"
+#include "tree/kd_tree.h"
 
 namespace cleave::test {
 

@@ -1,12 +1,12 @@
-#include "query_check.h"
+#include "support/query_check.h"
 
 #include <algorithm>
 #include <cstring>
 #include <functional>
 
-#include "kdtree/builder_names.h"
-#include "kdtree/oracle.h"
-#include "kdtree/validate.h"
+#include "builders/builder_names.h"
+#include "judge/oracle.h"
+#include "judge/validate.h"
 #include "pass/gpu_builder.h"
 #include "pass/tracer.h"
 #include "twin/twin_builder.h"

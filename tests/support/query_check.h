@@ -6,7 +6,7 @@
 #include <string>
 
 #include "gpu/device.h"
-#include "query_case.h"
+#include "support/query_case.h"
 
 namespace cleave::test {
 

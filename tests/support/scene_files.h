@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "error.h"
+#include "base/error.h"
 #include "scene/scene.h"
 
 namespace cleave::test {

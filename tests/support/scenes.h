@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <random>
 
-#include "kdtree/triangle_set.h"
+#include "tree/triangle_set.h"
 
 namespace cleave::test {
 

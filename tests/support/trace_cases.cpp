@@ -1,12 +1,12 @@
-#include "trace_cases.h"
+#include "support/trace_cases.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <random>
 
-#include "device.h"
-#include "kdtree/oracle.h"
+#include "judge/oracle.h"
+#include "support/device.h"
 
 namespace cleave::test {
 

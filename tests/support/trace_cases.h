@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "kdtree/kd_tree.h"
-#include "kdtree/triangle_set.h"
 #include "pass/tracer.h"
+#include "tree/kd_tree.h"
+#include "tree/triangle_set.h"
 
 namespace cleave::test {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kdtree/binning.h"
-#include "kdtree/support_scenes.h"
+#include "builders/binning.h"
 #include "shared/build.h"
+#include "support/small_scenes.h"
 #include "twin/passes.h"
 
 namespace cleave {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "kdtree/events.h"
-#include "kdtree/support_scenes.h"
+#include "builders/events.h"
+#include "support/small_scenes.h"
 
 namespace cleave::test {
 

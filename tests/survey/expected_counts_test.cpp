@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "kdtree/builder_names.h"
-#include "kdtree/statistics.h"
+#include "builders/builder_names.h"
+#include "measure/statistics.h"
 #include "survey/survey_scenes.h"
 
 namespace cleave {

@@ -1,6 +1,6 @@
 // Survey, section 5: a plane cuts O(sqrt n) of a node's n triangles on reasonable scenes, and that is what the build's
 // O(N log N) rests on. (Memory and the two builds' sorting are judged in kdtree/exact_builders_test.cpp.)
-#include "kdtree/straddling.h"
+#include "measure/straddling.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "kdtree/builder_names.h"
+#include "builders/builder_names.h"
 #include "survey/survey_scenes.h"
 
 namespace cleave {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "kdtree/support_scenes.h"
+#include "support/small_scenes.h"
 
 namespace cleave::test {
 

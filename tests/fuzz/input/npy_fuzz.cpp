@@ -2,8 +2,8 @@
 #include <cstring>
 #include <sstream>
 
-#include "app/npy.h"
-#include "error.h"
+#include "base/error.h"
+#include "formats/npy.h"
 #include "harness.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {

@@ -1,5 +1,5 @@
 // Any text is a path within the scene's folder or an Error of one line, wherever dots, escapes and links lead.
-#include "error.h"
+#include "base/error.h"
 #include "harness.h"
 #include "scene/gltf_uri.h"
 

@@ -1,0 +1,79 @@
+#include <tbb/parallel_for.h>
+
+#include "builders/binning.h"
+#include "builders/builders.h"
+#include "builders/decomposition.h"
+#include "builders/face_scan.h"
+#include "builders/faces_along.h"
+#include "builders/threads.h"
+#include "builders/top_down.h"
+
+namespace cleave {
+namespace {
+
+class BinnedChooser {
+  public:
+    BinnedChooser(const BuildSettings& settings, uint32_t maxDepth)
+        : bins_(settings.bins), subsample_(settings.subsample), maxDepth_(maxDepth) {}
+
+    Split operator()(const NodeToSplit& node) {
+        const auto n = static_cast<uint32_t>(node.refs.size());
+        const Split best = n <= bins_ ? bestFace(node, kAllAxes) : binned(node, n);
+        return isWorthwhile(best, node.cell, n, node.depth, maxDepth_) ? best : noSplit();
+    }
+
+  private:
+    Split binned(const NodeToSplit& node, uint32_t n) {
+        const uint32_t step = sampleStep(n, subsample_);
+        fillBins(counted_, node.refs, boundsOf(node.refs), bins_, step);
+        const Split best = bestBoundary(counted_, node, step);
+        if (best.axis == kLeafAxis) return best;
+        gatherFaces(faces_, node, best.axis);
+        return bestNear(faces_, node, best.position);
+    }
+
+    const uint32_t bins_;
+    const bool subsample_;
+    const uint32_t maxDepth_;
+    Bins counted_;
+    FacesAlong faces_;
+};
+
+}  // namespace
+
+KdTree buildShevtsov(const TriangleSet& set, const BuildSettings& settings, BuildReport* report) {
+    const BinnedChooser chooser(settings, depthLimit(settings, set.included.size()));
+    ByteCount bytes;
+    KdTree tree;
+    tree.nodes.resize(1);
+    uint64_t partBytes = 0;
+    withThreads(settings.threads, [&] {
+        std::vector<Part> parts = decompose(tree, set, settings, bytes);
+        // The first part goes on in the tree itself; the others are subtrees that are put in when all are done.
+        std::vector<KdTree> subtrees(parts.size());
+        const auto buildPart = [&](size_t i) {
+            Part& part = parts[i];
+            KdTree begun;
+            if (i == 0)
+                begun = std::move(tree);
+            else
+                begun.nodes.resize(1);
+            const size_t room = part.room();
+            subtrees[i] = TopDownBuilder<BinnedChooser>(set, settings, chooser, bytes)
+                              .build(std::move(begun), i == 0 ? part.node : 0, part.cell, part.depth,
+                                     std::move(part.refs), part.count, room);
+        };
+        tbb::parallel_for(size_t{0}, parts.size(), buildPart, tbb::simple_partitioner());
+        tree = std::move(subtrees[0]);
+        for (size_t i = 1; i < parts.size(); ++i) {
+            partBytes += growthBytes(subtrees[i]);
+            graft(tree, parts[i].node, subtrees[i]);
+        }
+    });
+    tree.bounds = set.bounds;
+    tree.exponent = set.exponent;
+    if (report != nullptr) *report = {bytes.peak() + partBytes + growthBytes(tree)};
+    return tree;
+}
+
+}  // namespace cleave

@@ -1,0 +1,112 @@
+// The loop of every top-down builder on the CPU, depth first. Builders differ in how they choose a split.
+#pragma once
+
+#include <algorithm>
+
+#include "builders/builders.h"
+#include "builders/counted_array.h"
+#include "builders/graft.h"
+#include "tree/clipped_ref.h"
+
+namespace cleave {
+
+// `ChooseSplit` is a callable, Split(const NodeToSplit&); an answer with axis == kLeafAxis makes a leaf. It is asked
+// only where a split is possible at all: a reference, depth to spare, and at most one collapsed axis.
+//
+// All references of a build lie in one pool, as a stack: nothing is allocated per node.
+template <class ChooseSplit>
+class TopDownBuilder {
+  public:
+    TopDownBuilder(const TriangleSet& set, const BuildSettings& settings, ChooseSplit chooseSplit, ByteCount& bytes)
+        : set_(set),
+          bytes_(bytes),
+          clip_(settings.clip),
+          maxDepth_(depthLimit(settings, set.included.size())),
+          chooseSplit_(std::move(chooseSplit)) {}
+
+    // The tree over the whole set.
+    KdTree build() {
+        const size_t count = set_.included.size();
+        makeRoom(0, 2 * count);
+        for (size_t i = 0; i < count; ++i) pool_[i] = wholeTriangle(set_, set_.included[i]);
+        tree_.nodes.resize(1);
+        buildNode(0, set_.bounds, 0, 0, count);
+        tree_.bounds = set_.bounds;
+        tree_.exponent = set_.exponent;
+        return std::move(tree_);
+    }
+
+    // Goes on in a tree that another loop began: builds its leaf-to-be `node` from references that it gathered, the
+    // first `count` of a pool for `room`.
+    KdTree build(KdTree tree, uint32_t node, const Box& cell, uint32_t depth, CountedArray<ClippedRef> pool,
+                 size_t count, size_t room) {
+        tree_ = std::move(tree);
+        pool_ = std::move(pool);
+        room_ = room;
+        buildNode(node, cell, depth, 0, count);
+        return std::move(tree_);
+    }
+
+    // The subtree of a node that another loop came to, as a tree whose node 0 is that node; good until the next call.
+    const KdTree& buildSubtree(const NodeToSplit& node) {
+        tree_.nodes.resize(1);
+        tree_.leafTriangles.clear();
+        if (room_ < 2 * node.refs.size()) makeRoom(0, 2 * node.refs.size());
+        std::copy(node.refs.begin(), node.refs.end(), pool_.data());
+        buildNode(0, node.cell, node.depth, 0, node.refs.size());
+        return tree_;
+    }
+
+  private:
+    // The node's references are pool_[begin, end). Below them lie those of right children that wait on the way up;
+    // what lies behind them is free.
+    void buildNode(uint32_t index, const Box& cell, uint32_t depth, size_t begin, size_t end) {
+        Split split = noSplit();
+        if (end > begin && depth < maxDepth_ && collapsedAxes(cell) < 2)
+            split = chooseSplit_(NodeToSplit{{pool_.data() + begin, end - begin}, cell, depth});
+        if (split.axis == kLeafAxis) return makeLeaf(index, begin, end);
+
+        const uint32_t child = appendChildren(tree_);
+        tree_.nodes[index] = innerNode(split.axis, split.position, child);
+        if (room_ < 2 * end - begin) makeRoom(end, std::max(2 * end - begin, room_ + room_ / 2));
+        // The left child's references go behind the node's, the right child's take the node's own place.
+        ClippedRef* const pool = pool_.data();
+        const ChildEnds ends = partition(set_, {pool + begin, end - begin}, split, clip_, {pool + end, pool + begin});
+        const auto leftEnd = static_cast<size_t>(ends.left - pool), rightEnd = static_cast<size_t>(ends.right - pool);
+        buildNode(child, leftOf(cell, split.axis, split.position), depth + 1, end, leftEnd);
+        buildNode(child + 1, rightOf(cell, split.axis, split.position), depth + 1, begin, rightEnd);
+    }
+
+    void makeLeaf(uint32_t index, size_t begin, size_t end) {
+        beginLeaf(tree_, index, end - begin);
+        for (size_t i = begin; i < end; ++i) tree_.leafTriangles.push_back(pool_[i].prim);
+    }
+
+    // For so many references in all; the first `kept` stay.
+    void makeRoom(size_t kept, size_t room) {
+        CountedArray<ClippedRef> pool(room, bytes_);
+        std::copy(pool_.data(), pool_.data() + kept, pool.data());
+        pool_ = std::move(pool);
+        room_ = room;
+    }
+
+    const TriangleSet& set_;
+    ByteCount& bytes_;
+    const bool clip_;
+    const uint32_t maxDepth_;
+    ChooseSplit chooseSplit_;
+    KdTree tree_;
+    CountedArray<ClippedRef> pool_;
+    size_t room_ = 0;
+};
+
+template <class ChooseSplit>
+KdTree buildTopDown(const TriangleSet& set, const BuildSettings& settings, ChooseSplit chooseSplit,
+                    BuildReport* report) {
+    ByteCount bytes;
+    KdTree tree = TopDownBuilder<ChooseSplit>(set, settings, std::move(chooseSplit), bytes).build();
+    if (report != nullptr) *report = {bytes.peak() + growthBytes(tree)};
+    return tree;
+}
+
+}  // namespace cleave

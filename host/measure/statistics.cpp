@@ -1,0 +1,77 @@
+#include "measure/statistics.h"
+
+#include <algorithm>
+
+namespace cleave {
+namespace {
+
+constexpr size_t kHistogramSize = 33;  // 0 to 31 triangles, and 32 or more
+
+// In double, unlike what builders compute with: a published figure does not depend on their rounding.
+double halfAreaOf(const Box& cell) {
+    const dvec3 e = dvec3(cell.hi) - dvec3(cell.lo);
+    return e.x * e.y + e.y * e.z + e.z * e.x;
+}
+
+struct Visit {
+    uint32_t node;
+    uint32_t depth;
+    Box cell;
+};
+
+// Sums of half areas: over inner nodes, over leaves, and over leaves times their triangles.
+struct AreaSums {
+    double inner = 0.0;
+    double leaves = 0.0;
+    double triangles = 0.0;
+};
+
+void countLeaf(TreeStatistics& s, uint32_t count, uint32_t depth) {
+    ++s.leaves;
+    s.references += count;
+    s.emptyLeaves += count == 0 ? 1 : 0;
+    s.maxDepth = std::max(s.maxDepth, depth);
+    s.largestLeaf = std::max(s.largestLeaf, count);
+    ++s.leafHistogram[std::min<size_t>(count, kHistogramSize - 1)];
+}
+
+AreaSums sumAreas(const KdTree& tree, TreeStatistics& s) {
+    AreaSums sums;
+    std::vector<Visit> stack{{0, 0, tree.bounds}};
+    while (!stack.empty()) {
+        const Visit visit = stack.back();
+        stack.pop_back();
+        const KdNode node = tree.nodes[visit.node];
+        const double area = isEmpty(tree.bounds) ? 0.0 : halfAreaOf(visit.cell);
+        if (isLeaf(node)) {
+            countLeaf(s, leafCount(node), visit.depth);
+            sums.leaves += area;
+            sums.triangles += area * leafCount(node);
+            continue;
+        }
+        sums.inner += area;
+        const uint32_t child = nodeChild(node);
+        stack.push_back({child + 1, visit.depth + 1, rightOf(visit.cell, nodeAxis(node), nodePosition(node))});
+        stack.push_back({child, visit.depth + 1, leftOf(visit.cell, nodeAxis(node), nodePosition(node))});
+    }
+    return sums;
+}
+
+}  // namespace
+
+TreeStatistics computeStatistics(const KdTree& tree) {
+    TreeStatistics s;
+    s.nodes = tree.nodes.size();
+    s.leafHistogram.assign(kHistogramSize, 0);
+    const AreaSums sums = sumAreas(tree, s);
+    const double rootArea = isEmpty(tree.bounds) ? 0.0 : halfAreaOf(tree.bounds);
+    if (rootArea > 0.0) {
+        s.expectedInner = sums.inner / rootArea;
+        s.expectedLeaves = sums.leaves / rootArea;
+        s.expectedTriangles = sums.triangles / rootArea;
+        s.sahCost = double{kCostTraverse} * *s.expectedInner + double{kCostIntersect} * *s.expectedTriangles;
+    }
+    return s;
+}
+
+}  // namespace cleave

@@ -1,0 +1,29 @@
+// What a tree is like, in numbers.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "tree/kd_tree.h"
+
+namespace cleave {
+
+struct TreeStatistics {
+    uint64_t nodes = 0;
+    uint64_t leaves = 0;
+    uint64_t emptyLeaves = 0;
+    uint64_t references = 0;  // entries of all leaf lists
+    uint32_t maxDepth = 0;    // of a leaf; the root has depth 0
+    uint32_t largestLeaf = 0;
+    std::vector<uint64_t> leafHistogram;  // [n]: leaves with n triangles, the last entry: that many or more
+    // Survey section 4, for a uniformly distributed line that meets the root box; null if that box has no area.
+    std::optional<double> sahCost;  // costTraverse inner + costIntersect triangles
+    std::optional<double> expectedInner;
+    std::optional<double> expectedLeaves;
+    std::optional<double> expectedTriangles;
+};
+
+TreeStatistics computeStatistics(const KdTree& tree);
+
+}  // namespace cleave
