@@ -1,0 +1,231 @@
+// cleave records ray queries into the caller's command buffer: it builds a kd-tree over triangles, compacts it, and
+// traces rays through it, on any Vulkan 1.3 device that has the features of requirements().
+//
+// Everything belongs to the caller: device, memory, command buffers, submission. Between calls nothing is kept but the
+// pipelines in a Context, which is immutable: any number of threads may record with it. No call throws, waits, reads
+// back, prints or looks at the environment; calls that record cannot fail.
+//
+// Memory is given as ranges of buffers. Ask buildSizes() how large they must be; the answer depends on counts alone.
+// A tree is opaque, like a Vulkan acceleration structure, except for the TreeHeader that it begins with. It holds
+// device addresses of its own parts: move it by cmdCompact(), not by copying bytes.
+//
+// Barriers. Within a call they are recorded for you. Before a call, what it reads must be available to compute shader
+// reads (and a tree that is built again, to writes). What a call wrote is available after a barrier from
+// VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT (clear) with shader and transfer write
+// access.
+#pragma once
+
+#include <vulkan/vulkan_core.h>
+
+#include <cleave/modes.hpp>
+#include <memory>
+
+namespace cleave {
+
+// Versions of this interface, of the bytes of a tree, and of the answers: the last is raised whenever a bit of a hit
+// may change.
+inline constexpr uint32_t kApiVersion = 1;
+inline constexpr uint32_t kTreeFormat = 1;
+inline constexpr uint32_t kAnswersVersion = 1;
+
+// The device features that a Context needs. Chain `vulkan12` and `vulkan13` into VkDeviceCreateInfo, or set the same
+// members in structs of your own.
+struct Requirements {
+    uint32_t apiVersion;  // VK_API_VERSION_1_3
+    VkPhysicalDeviceFeatures features;
+    VkPhysicalDeviceVulkan12Features vulkan12;  // sType is set, pNext is null
+    VkPhysicalDeviceVulkan13Features vulkan13;
+};
+Requirements requirements();
+
+struct ContextInfo {
+    VkInstance instance = VK_NULL_HANDLE;
+    VkPhysicalDevice physicalDevice = VK_NULL_HANDLE;
+    VkDevice device = VK_NULL_HANDLE;  // created with requirements()
+    PFN_vkGetInstanceProcAddr getInstanceProcAddr = nullptr;
+    VkPipelineCache pipelineCache = VK_NULL_HANDLE;  // optional; yours to load and to store
+    const VkAllocationCallbacks* allocator = nullptr;
+    // The modes that cmdTrace() will be asked for; null: closest and any hits by restart, watertight, uncounted.
+    const TraceMode* modes = nullptr;
+    uint32_t modeCount = 0;
+    // Off: no pipelines to build with, for programs that only trace.
+    bool builds = true;
+};
+
+// Pipelines on a device. Destroy it before the device, when no command buffer that uses it is pending.
+class Context {
+  public:
+    ~Context();
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
+
+    struct State;
+    const State& state() const { return *state_; }  // for the files of cleave
+
+  private:
+    friend struct NewContext;
+    explicit Context(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+// A context, or why there is none.
+struct NewContext {
+    std::unique_ptr<Context> context;  // null if creation failed
+    VkResult result = VK_SUCCESS;
+    const char* failed = "";  // what failed, e.g. "creating the pipeline of kernel bin"; a constant of the library
+
+    static NewContext create(const ContextInfo& info) noexcept;
+};
+inline NewContext createContext(const ContextInfo& info) noexcept { return NewContext::create(info); }
+
+// Bytes of a buffer. The buffer must have the usages that buildSizes() names; `address` is that of the range's first
+// byte, a multiple of BuildSizes::alignment.
+struct Range {
+    VkBuffer buffer = VK_NULL_HANDLE;
+    VkDeviceSize offset = 0;
+    VkDeviceSize size = 0;
+    VkDeviceAddress address = 0;
+};
+
+// Triangles in device memory, as in VkAccelerationStructureGeometryTrianglesDataKHR.
+struct Geometry {
+    VkDeviceAddress vertices = 0;  // float x, y, z every vertexStride bytes; a multiple of 4, and so the stride
+    VkDeviceSize vertexStride = 12;
+    uint32_t vertexCount = 0;
+    uint32_t triangleCount = 0;
+    // Three per triangle. An index that is not below vertexCount makes a triangle that is left out, as a vertex that
+    // is not finite does. VK_INDEX_TYPE_NONE_KHR: vertices 3 i, 3 i + 1 and 3 i + 2.
+    VkDeviceAddress indices = 0;  // a multiple of 4
+    VkIndexType indexType = VK_INDEX_TYPE_NONE_KHR;
+    // VkTransformMatrixKHR, applied in double and rounded to float once; 0: none.
+    VkDeviceAddress transform = 0;
+};
+
+// How many entries the arrays of a build hold; 0: the default, which suffices for scenes as people have them.
+struct Capacity {
+    uint32_t refs = 0;        // references of one level; at least one per triangle
+    uint32_t levelNodes = 0;  // nodes of one level
+    uint32_t nodes = 0;       // of the tree
+    uint32_t leafRefs = 0;    // of all leaves
+    bool operator==(const Capacity&) const = default;
+};
+
+struct BuildInfo {
+    // Triangles are numbered through all geometries, in order.
+    const Geometry* geometries = nullptr;
+    uint32_t geometryCount = 0;
+    // The tree's triangles: ascending numbers in device memory; 0: all of them. Static and moving parts can have a
+    // tree each this way, with hits that tell the same numbers.
+    VkDeviceAddress list = 0;
+    uint32_t listCount = 0;
+
+    uint32_t bins = 32;        // per axis, 2 to 32
+    uint32_t exactUpTo = 160;  // nodes of at most so many references are split by exact SAH; at most 1024
+    uint32_t maxDepth = 0;     // of a leaf, at most 63; 0: round(8 + 1.3 log2 n)
+    bool clip = true;          // clips straddling triangles to both cells
+    bool subsample = true;     // bins every l-th reference of a large node, l = max(1, floor(log10 n))
+    Capacity capacity;
+
+    // Called while recording, before the first pass and after each: for timestamps and labels.
+    void (*onPass)(void* user, VkCommandBuffer commands, const char* pass) = nullptr;
+    void* user = nullptr;
+};
+
+struct BuildSizes {
+    VkDeviceSize tree = 0;     // 0: more triangles than a tree can hold (2^30)
+    VkDeviceSize scratch = 0;  // free again when the build is done
+    VkDeviceSize alignment = 64;
+    VkBufferUsageFlags usage = 0;  // of either
+    Capacity capacity;             // with the defaults filled in
+};
+BuildSizes buildSizes(const BuildInfo& info) noexcept;
+
+// The capacity that a build with default settings starts with.
+Capacity defaultCapacity(uint32_t triangles) noexcept;
+
+// The first bytes of a tree. Written on the device by cmdBuild(); read it back to learn how a build went.
+struct TreeHeader {
+    static constexpr uint32_t kMagic = 0x56454C43;   // "CLEV"
+    static constexpr uint32_t kShortOfCapacity = 1;  // the last levels were finished as leaves; the tree is valid
+
+    uint32_t magic;
+    uint32_t format;  // kTreeFormat
+    uint32_t status;  // 0 or kShortOfCapacity
+    uint32_t levels;  // depth of the deepest leaf + 1
+    uint32_t triangleCount;
+    uint32_t nodeCount;
+    uint32_t leafRefCount;
+    uint32_t nonFinite;  // triangles that were left out: a vertex is not finite
+    uint32_t noArea;     // the vertices lie on a line
+    int32_t exponent;    // world = scaled * 2^exponent
+    float lo[3];         // bounds of the root cell, scaled
+    float hi[3];
+    Capacity wanted;            // what the build would have needed, where that was more than it had; else 0
+    uint64_t bytes;             // of the tree without slack: what cmdCompact() needs
+    uint64_t wantedBytes;       // of a tree with `wanted`; 0 where the capacity sufficed
+    VkDeviceAddress triangles;  // 36 bytes each: the vertices, scaled
+    VkDeviceAddress numbers;    // of the triangles; 0: each is its own index
+    VkDeviceAddress nodes;      // 8 bytes each
+    VkDeviceAddress leafRefs;   // 4 bytes each: indices of triangles, leaf by leaf
+};
+static_assert(sizeof(TreeHeader) == 128);
+
+// Builds a tree in `tree`, using `scratch`; both at least as large as buildSizes() said for the same info.
+void cmdBuild(VkCommandBuffer commands, const Context& context, const BuildInfo& info, const Range& tree,
+              const Range& scratch) noexcept;
+
+// Copies a tree without slack. `to` is at least TreeHeader::bytes of `from` large, and does not overlap it.
+void cmdCompact(VkCommandBuffer commands, const Context& context, VkDeviceAddress from, const Range& to) noexcept;
+
+// Rays and hits, as device memory holds them. Points are origin + t direction with tMin <= t <= tMax; the direction
+// need not be of unit length. u and v weigh the second and third vertex. A miss: t = +inf, prim = 0xFFFFFFFF. A ray
+// with a part that is not finite (but for tMax), of no length, or with tMin < 0 or tMin > tMax, is answered as a miss.
+struct TraceRay {
+    float origin[3];
+    float tMin;
+    float direction[3];
+    float tMax;
+};
+struct TraceHit {
+    float t;
+    uint32_t prim;
+    float u, v;
+};
+
+// Counts over all rays of all calls that were given them; zero them first.
+struct TraceCounts {
+    uint32_t invalidRays;
+    uint32_t unfinishedRays;  // see TraceInfo::trails; answered as misses where there are none
+};
+
+// What one ray did.
+struct TraceSteps {
+    uint32_t inner;      // inner nodes visited, those of restarts included
+    uint32_t leaves;     // leaves visited
+    uint32_t triangles;  // triangle tests
+    uint32_t restarts;
+    uint32_t hitLeaf;   // triangles in the leaf of the hit
+    uint32_t resolved;  // triangle tests that were decided in double
+};
+
+struct TraceInfo {
+    VkDeviceAddress tree = 0;  // the address given to cmdBuild() or cmdCompact()
+    VkDeviceAddress rays = 0;  // TraceRay
+    VkDeviceAddress hits = 0;  // TraceHit
+    uint32_t count = 0;
+    TraceMode mode;                // one of ContextInfo::modes
+    VkDeviceAddress counters = 0;  // TraceCounts
+    VkDeviceAddress steps = 0;     // TraceSteps per ray; where mode.countSteps
+    // Goes on from the hits that are there, of another tree: the closer one stays, and for any-hit queries a hit ends
+    // the ray at once. Off: hits are written only.
+    bool fromHits = false;
+    // A dispatch gives up on a ray after so many nodes and triangles, so that no ray can hang a device: 0: 2^20. With
+    // `trails` (8 bytes per ray) the ray is counted as unfinished, keeps its best hit so far, and goes on where it was
+    // in a next call with `resumes`, which leaves finished rays alone.
+    uint32_t stepLimit = 0;
+    VkDeviceAddress trails = 0;
+    bool resumes = false;
+};
+void cmdTrace(VkCommandBuffer commands, const Context& context, const TraceInfo& info) noexcept;
+
+}  // namespace cleave

@@ -1,0 +1,42 @@
+// The tree in device memory: what it begins with, and where its parts are. As TreeHeader in cleave/cleave.hpp.
+#ifndef CLEAVE_SHARED_TREE_H
+#define CLEAVE_SHARED_TREE_H
+#include "kd_node.h"
+#include "triangle.h"
+
+CLEAVE_BEGIN
+
+CLEAVE_CONST uint kTreeMagic = 0x56454C43u;  // "CLEV"
+CLEAVE_CONST uint kShortOfCapacity = 1u;     // status: the last levels were finished as leaves
+
+#ifndef __cplusplus
+#include "lib/arrays.glsl"
+#endif
+
+struct TreeData {
+    uint magic;
+    uint format;
+    uint status;
+    uint levels;
+    uint triangleCount;
+    uint nodeCount;
+    uint leafRefCount;
+    uint nonFinite;   // triangles that were left out: a vertex is not finite
+    uint noArea;      // the vertices lie on a line
+    int exponent;     // world = scaled * 2^exponent
+    Box bounds;       // of the root cell
+    uint wantedRefs;  // capacities that the build would have needed; 0 where they sufficed
+    uint wantedLevelNodes;
+    uint wantedNodes;
+    uint wantedLeafRefs;
+    uvec2 bytes;  // low and high word
+    uvec2 wantedBytes;
+    CLEAVE_ADDRESS(TriangleArray) triangles;  // scaled; those left out are zeroed
+    CLEAVE_ADDRESS(UintArray) numbers;        // of the triangles, where hasNumbers
+    CLEAVE_ADDRESS(KdNodeArray) nodes;
+    CLEAVE_ADDRESS(UintArray) leafRefs;  // indices of triangles, leaf by leaf
+};
+CLEAVE_SIZE(TreeData, 128);
+
+CLEAVE_END
+#endif
