@@ -45,18 +45,20 @@ SetFigures measure(Run& run, Session& session, const DeviceTree& tree, const Ray
     if (set.rays.empty()) return figures;
     run.progress.phase("tracing " + name + " rays");
     Tracer& tracer = run.device.tracer();
-    Tracer::Result traced = tracer.trace(tree, set.rays, set.query, mode);
+    Tracer::Result traced = tracer.trace(tree, set.rays, mode);
     figures.invalidRays = traced.invalidRays;
     figures.cappedRays = traced.cappedRays;
     figures.check = session.check(set.rays, traced.hits, set.query, raysToJudge(run.options));
     if (mode.test != TriangleTest::plain)
-        requireAnswered(traced, figures.check, session.scene().name + ", " + name + " rays");
+        requireAnswered(traced.cappedRays, figures.check, session.scene().name + ", " + name + " rays");
+    TraceMode counting = mode;
+    counting.countSteps = true;
     if (run.options.triangleTests.size() > 1)
         figures.resolvedShare =
-            resolvedShare(tracer.trace(tree, set.rays, set.query, {mode.traversal, mode.test, true}).steps);
+            resolvedShare(tracer.trace(tree, set.rays, counting).steps);
     run.progress.phase("timing " + name + " rays");
     std::vector<double> times;
-    for (uint32_t i = 0; i < run.options.runs; ++i) times.push_back(tracer.trace(tree, set.rays, set.query, mode).ms);
+    for (uint32_t i = 0; i < run.options.runs; ++i) times.push_back(tracer.trace(tree, set.rays, mode).ms);
     figures.ms = medianOf(times);
     if (hits != nullptr) *hits = std::move(traced.hits);
     return figures;
@@ -73,7 +75,7 @@ BuilderFigures benchBuilder(Run& run, Session& session, Builder builder, RaySets
             const bool first = sets[1].rays.empty();
             std::vector<Hit> hits;
             for (size_t i = 0; i < sets.size(); ++i) {
-                mode.sets[i] = measure(run, session, tree, sets[i], {traversal, test, false}, kRaySets[i],
+                mode.sets[i] = measure(run, session, tree, sets[i], {sets[i].query, traversal, test, false}, kRaySets[i],
                                        i == 0 ? &hits : nullptr);
                 if (i == 0 && first && !hits.empty()) makeSecondaryRays(sets, session, hits);
             }

@@ -26,7 +26,7 @@ LeakFigures shoot(Run& run, const ClosedMesh& mesh, const TreeUnderTest& tree, T
                            grouped(figures.leaks.rays) + " of " + grouped(rays) + " rays");
         const std::vector<Ray> some = leakRays(mesh, std::min(kBatch, rays - figures.leaks.rays), seed + batch);
         const Tracer::Result traced =
-            run.device.tracer().trace(*tree.onDevice, some, Query::closest, {.traversal = traversal});
+            run.device.tracer().trace(*tree.onDevice, some, {.traversal = traversal});
         countLeaks(figures.leaks, some, traced.hits);
         figures.ms += traced.ms;
     }
@@ -85,7 +85,7 @@ void runLeaks(Run& run) {
     std::vector<LeakFigures> all;
     for (const ClosedMesh& mesh : meshes) {
         const TriangleSet set = makeTriangleSet(mesh.triangles);
-        const auto triangles = uploadTriangles(run.device.context(), set);
+        const DeviceTriangles triangles(run.device.device(), mesh.triangles);
         for (const Builder builder : builders) {
             const auto tree = buildForTest(run, builder, set, triangles);
             for (const Traversal traversal : kDeviceTraversals) all.push_back(shoot(run, mesh, *tree, traversal, each));

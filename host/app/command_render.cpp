@@ -18,6 +18,15 @@ Camera cameraOf(const Session& session, const Options& options) {
     return overridden(chooseCamera(session.scene(), bounds, options.camera), bounds, overrides);
 }
 
+PictureRequest requestOf(const Session& session, const Options& options) {
+    PictureRequest request;
+    request.camera = imageCamera(cameraOf(session, options), options.width, options.height, infinity());
+    request.view = options.view;
+    request.traversal = options.traversals.front();
+    request.test = options.triangleTests.front();
+    return request;
+}
+
 }  // namespace
 
 void runRender(Run& run) {
@@ -25,31 +34,33 @@ void runRender(Run& run) {
     requireWritable(options.output);
     if (options.json) requireWritable(*options.json);
     Session session(run, options.scenes.empty() ? defaultScene() : options.scenes.front());
-    const std::vector<Ray> rays = cameraRays(cameraOf(session, options), options.width, options.height);
+    const DeviceMaterials& materials = session.materialsOnDevice();
     BuiltTree built = session.build(options.builders.front());
     const DeviceTree& tree = session.upload(built);
+    const DeviceTriangles& triangles = session.trianglesOnDevice();
     run.progress.phase("rendering");
-    Picture picture = run.device.renderer().render(tree, session.scene(), rays, options.width, options.height,
-                                                   options.view, traceMode(options));
+    Renderer& renderer = run.device.renderer();
+    run.device.device().transfers = {};
+    Picture picture = renderer.render(tree, triangles, materials, requestOf(session, options));
+    const uint64_t rays = uint64_t{options.width} * options.height;
     if (options.view == View::steps || options.view == View::leaves) drawLegend(picture);
 
     // The picture is written also where the check fails, so that it can be looked at.
     writeFile(options.output, pngOf(picture.width, picture.height, picture.pixels));
-    const Tracer::Result& primary = picture.primary;
     Json report{{"scene", sceneJson(session)},
                 {"build", buildJson(built)},
-                {"trace", traceJson(options.traversals.front(), options.triangleTests.front(), rays.size(), primary.ms,
-                                    primary.invalidRays, primary.cappedRays)},
+                {"trace", traceJson(options.traversals.front(), options.triangleTests.front(), rays, picture.traceMs,
+                                    picture.invalidRays, picture.cappedRays)},
                 {"render", {{"ms", numberJson(picture.ms)}}}};
     CheckResult check;
     if (options.check > 0) {
-        check = session.check(rays, primary.hits, Query::closest, options.check);
+        check = session.check(renderer.readRays(), renderer.readHits(), Query::closest, options.check);
         report["check"] = checkJson(check);
     }
     writeReport(run, report);
-    requireAnswered(primary, check, session.scene().name);
+    requireAnswered(picture.cappedRays, check, session.scene().name);
 
-    run.print(builtLine(built) + tracedLine(rays.size(), primary) + (options.check > 0 ? checkedLine(check) : "") +
+    run.print(builtLine(built) + tracedLine(rays, picture.traceMs, picture.invalidRays) + (options.check > 0 ? checkedLine(check) : "") +
               "picture   " + options.output.string() + "\n");
 }
 

@@ -29,7 +29,7 @@ std::vector<Builder> buildersFor(const Options& options, size_t caseIndex) {
 SceneFigures sweepScene(Run& run, const std::string& name, const std::string& about, std::span<const Triangle> world,
                         std::span<const Builder> builders) {
     const TriangleSet set = makeTriangleSet(world);
-    const auto triangles = uploadTriangles(run.device.context(), set);
+    const DeviceTriangles triangles(run.device.device(), world);
     const Options& options = run.options;
     SweepSettings settings;
     settings.rays = options.rayCount > 0 ? options.rayCount : options.quick ? kQuickRays : kFullRays;

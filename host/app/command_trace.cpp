@@ -15,7 +15,7 @@ void runTrace(Run& run) {
     BuiltTree built = session.build(options.builders.front());
     const DeviceTree& tree = session.upload(built);
     run.progress.phase("tracing");
-    const Tracer::Result traced = run.device.tracer().trace(tree, rays, options.query, traceMode(options));
+    const Tracer::Result traced = run.device.tracer().trace(tree, rays, traceMode(options));
 
     // What was answered is written also where the check fails, so that it can be looked at.
     writeFile(options.output, npyOf(traced.hits));
@@ -29,9 +29,9 @@ void runTrace(Run& run) {
         report["check"] = checkJson(check);
     }
     writeReport(run, report);
-    requireAnswered(traced, check, session.scene().name);
+    requireAnswered(traced.cappedRays, check, session.scene().name);
 
-    run.print(builtLine(built) + tracedLine(rays.size(), traced) + (options.check > 0 ? checkedLine(check) : "") +
+    run.print(builtLine(built) + tracedLine(rays.size(), traced.ms, traced.invalidRays) + (options.check > 0 ? checkedLine(check) : "") +
               "hits      " + options.output.string() + "\n");
 }
 

@@ -1,34 +1,49 @@
 #include "app/device_kit.h"
 
-namespace cleave {
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
 
-Context& DeviceKit::context() {
-    if (!context_) context_ = openDevice(nameOrIndex_);
-    return *context_;
+#include "app/pipeline_file.h"
+
+namespace cleave {
+namespace {
+
+bool isOn(const char* variable) {
+    const char* value = std::getenv(variable);
+    return value != nullptr && std::string_view(value) == "1";
+}
+
+}  // namespace
+
+Device& DeviceKit::device() {
+    if (device_) return *device_;
+    DeviceOptions options;
+    options.nameOrIndex = nameOrIndex_;
+    options.maps = !isOn("CLEAVE_NO_MAP");
+    options.loadPipelines = loadPipelines;
+    options.storePipelines = storePipelines;
+    if (isOn("CLEAVE_VALIDATION"))
+        options.onValidation = [](const char* message) { std::fprintf(stderr, "validation: %s\n", message); };
+    device_ = std::make_unique<Device>(std::move(options));
+    return *device_;
 }
 
 GpuBuilder& DeviceKit::builder() {
-    if (!builder_) {
-        const double before = setupMilliseconds(context());
-        builder_ = std::make_unique<GpuBuilder>(context());
-        builder_->warmUp();
-        setupMs_ = setupMilliseconds(context()) - before;
-    }
+    if (!builder_) builder_ = std::make_unique<GpuBuilder>(device());
     return *builder_;
 }
 
 Tracer& DeviceKit::tracer() {
-    if (!tracer_) tracer_ = std::make_unique<Tracer>(context());
+    if (!tracer_) tracer_ = std::make_unique<Tracer>(device());
     return *tracer_;
 }
 
 Renderer& DeviceKit::renderer() {
-    if (!renderer_) renderer_ = std::make_unique<Renderer>(context(), tracer());
+    if (!renderer_) renderer_ = std::make_unique<Renderer>(device(), tracer());
     return *renderer_;
 }
 
-std::optional<std::string> DeviceKit::name() const {
-    return context_ ? std::optional(deviceName(*context_)) : std::nullopt;
-}
+std::optional<std::string> DeviceKit::name() const { return device_ ? std::optional(device_->name()) : std::nullopt; }
 
 }  // namespace cleave

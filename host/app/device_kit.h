@@ -6,10 +6,10 @@
 #include <optional>
 #include <string>
 
-#include "gpu/context.h"
-#include "pass/gpu_builder.h"
-#include "pass/renderer.h"
-#include "pass/tracer.h"
+#include "gpu/device.h"
+#include "run/gpu_builder.h"
+#include "run/renderer.h"
+#include "run/tracer.h"
 
 namespace cleave {
 
@@ -17,23 +17,25 @@ class DeviceKit {
   public:
     explicit DeviceKit(std::string nameOrIndex) : nameOrIndex_(std::move(nameOrIndex)) {}
 
-    Context& context();
+    // Opened with what the environment says: CLEAVE_VALIDATION=1 turns the validation layers on, CLEAVE_NO_MAP=1 refuses
+    // mapped device memory. Pipelines are kept in the user's cache folder.
+    Device& device();
     GpuBuilder& builder();  // warm
     Tracer& tracer();
     Renderer& renderer();
 
-    bool isOpen() const { return context_ != nullptr; }
-    std::optional<std::string> name() const;                      // nothing unless opened
-    double builderSetupMilliseconds() const { return setupMs_; }  // of builder(); 0 before
+    bool isOpen() const { return device_ != nullptr; }
+    std::optional<std::string> name() const;  // nothing unless opened
+    double builderSetupMilliseconds() const { return builder_ ? builder_->setupMilliseconds() : 0.0; }
+    TransferCount transfers() const { return device_ ? device_->transfers : TransferCount{}; }
 
   private:
-    // The order matters: what lives on the context goes before it.
+    // The order matters: what lives on the device goes before it.
     std::string nameOrIndex_;
-    ContextPointer context_;
+    std::unique_ptr<Device> device_;
     std::unique_ptr<GpuBuilder> builder_;
     std::unique_ptr<Tracer> tracer_;
     std::unique_ptr<Renderer> renderer_;
-    double setupMs_ = 0.0;
 };
 
 }  // namespace cleave

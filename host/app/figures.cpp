@@ -90,13 +90,13 @@ std::string rayTable(const std::vector<BuilderFigures>& figures) {
 std::string kernelLines(const std::vector<BuilderFigures>& figures) {
     std::string lines;
     for (const BuilderFigures& f : figures) {
-        std::vector<KernelTime> kernels = f.built.kernels;
+        std::vector<PassTime> kernels = f.built.passes;
         std::sort(kernels.begin(), kernels.end(), [](const auto& a, const auto& b) { return a.ms > b.ms; });
         double sum = 0.0;
-        for (const KernelTime& kernel : kernels) sum += kernel.ms;
+        for (const PassTime& kernel : kernels) sum += kernel.ms;
         if (!(sum > 0.0)) continue;
         lines += nameOf(f.built.builder) + " build by kernel, %:";
-        for (const KernelTime& kernel : kernels) lines += " " + kernel.name + " " + fixed(100.0 * kernel.ms / sum, 1);
+        for (const PassTime& kernel : kernels) lines += " " + kernel.name + " " + fixed(100.0 * kernel.ms / sum, 1);
         lines += "\n";
     }
     return lines;

@@ -25,7 +25,7 @@ Json sceneJson(const Session& session) {
 Json buildJson(const BuiltTree& built) {
     const TreeStatistics& s = built.statistics;
     Json kernels = Json::object();
-    for (const KernelTime& kernel : built.kernels) kernels[kernel.name] = numberJson(kernel.ms);
+    for (const PassTime& kernel : built.passes) kernels[kernel.name] = numberJson(kernel.ms);
     return {{"builder", nameOf(built.builder)},
             {"ms", numberJson(built.ms)},
             {"runsMs", built.runs},
@@ -71,6 +71,8 @@ void writeReport(const Run& run, Json report) {
     if (!run.options.json) return;
     const std::optional<std::string> name = run.device.name();
     report["device"] = {{"name", name ? Json(*name) : Json(nullptr)}};
+    const TransferCount transfers = run.device.transfers();
+    report["transfer"] = {{"upBytes", transfers.upBytes}, {"downBytes", transfers.downBytes}};
     report["process"] = {{"peakBytes", processPeakBytes()}};
     report["total"] = {{"ms", numberJson(run.total.milliseconds())}};
     // Names come from files and may be no UTF-8; what is not is replaced.

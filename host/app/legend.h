@@ -1,7 +1,7 @@
 // The scale in a picture of counts: what its colours stand for.
 #pragma once
 
-#include "pass/renderer.h"
+#include "run/renderer.h"
 
 namespace cleave {
 

@@ -164,8 +164,8 @@ void addBuild(CLI::App& app, Options& options, bool several) {
     addWhole(app, "--bins", "bins per axis (" + std::to_string(kBins) + ")", settings.bins, 2, kBins);
     addNamed(app, "--subsample", "bin every l-th reference of large nodes, l = max(1, floor(log10 n))",
              settings.subsample, kSwitch);
-    addWhole(app, "--exact-below", "exact SAH at so many references and below (" + std::to_string(kExactBelow) + ")",
-             settings.exactBelow, 0, kMostExactBelow);
+    addWhole(app, "--exact-below", "exact SAH at so many references and below (" + std::to_string(kExactUpTo) + ")",
+             settings.exactUpTo, 0, kMostExactUpTo);
     addWhole(app, "--max-depth", "deepest leaf (by the number of triangles)", settings.maxDepth, 1, kMaxDepth);
     addWhole(app, "--leaf-size", "medians: no split at so many references and below (4)", settings.leafSize, 1,
              1u << 20);
@@ -326,7 +326,7 @@ std::string nameOf(TriangleTest test) { return nameIn(kTriangleTests, test); }
 uint64_t raysToJudge(const Options& options) { return options.check > 0 ? options.check : 2048; }
 
 TraceMode traceMode(const Options& options) {
-    return {options.traversals.front(), options.triangleTests.front(), false};
+    return {options.query, options.traversals.front(), options.triangleTests.front(), false};
 }
 
 Request parseCommandLine(int argc, const char* const* argv) {

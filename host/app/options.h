@@ -11,8 +11,7 @@
 #include <vector>
 
 #include "judge/oracle.h"
-#include "pass/renderer.h"
-#include "pass/tracer.h"
+#include "render/cmd_render.h"
 #include "tree/kd_tree.h"
 
 namespace cleave {

@@ -38,9 +38,17 @@ Session::Session(Run& run, const fs::path& file) : run_(run) {
     run_.progress.clear();
 }
 
-std::shared_ptr<DeviceTriangles> Session::trianglesOnDevice() {
-    if (!onDevice_) onDevice_ = uploadTriangles(run_.device.context(), set_);
-    return onDevice_;
+const DeviceTriangles& Session::trianglesOnDevice() {
+    if (!onDevice_) onDevice_ = std::make_unique<DeviceTriangles>(run_.device.device(), scene_.triangles);
+    return *onDevice_;
+}
+
+const DeviceMaterials& Session::materialsOnDevice() {
+    if (materials_) return *materials_;
+    std::vector<glm::vec4> colours;
+    for (const Material& m : scene_.materials) colours.push_back(m.baseColour);
+    materials_ = std::make_unique<DeviceMaterials>(run_.device.device(), scene_.materialOf, colours);
+    return *materials_;
 }
 
 void Session::buildOnDevice(BuiltTree& built) {
@@ -67,7 +75,7 @@ BuiltTree Session::build(Builder builder, uint32_t runs) {
         else
             buildOnHost(built, set_, run_.options.settings);
     }
-    if (built.onDevice) built.tree = readBack(run_.device.context(), *built.onDevice);
+    if (built.onDevice) built.tree = readBack(*built.onDevice);
     built.ms = medianOf(built.runs);
     built.statistics = computeStatistics(built.tree);
     built.hash = treeHash(built.tree);
@@ -77,11 +85,11 @@ BuiltTree Session::build(Builder builder, uint32_t runs) {
 
 void Session::profile(BuiltTree& built) {
     if (built.builder != Builder::gpu) return;
-    built.kernels = run_.device.builder().profile(*trianglesOnDevice(), run_.options.settings);
+    built.passes = run_.device.builder().profile(trianglesOnDevice(), run_.options.settings);
 }
 
 const DeviceTree& Session::upload(BuiltTree& built) {
-    if (!built.onDevice) built.onDevice = uploadTree(run_.device.context(), trianglesOnDevice(), built.tree);
+    if (!built.onDevice) built.onDevice = uploadTree(run_.device.device(), set_, built.tree);
     return *built.onDevice;
 }
 
@@ -103,9 +111,9 @@ fs::path defaultScene() {
                 "; name a scene");
 }
 
-void requireAnswered(const Tracer::Result& traced, const CheckResult& check, const std::string& what) {
-    if (traced.cappedRays > 0)
-        throw Error("tracing " + what + ": " + grouped(traced.cappedRays) +
+void requireAnswered(uint64_t cappedRays, const CheckResult& check, const std::string& what) {
+    if (cappedRays > 0)
+        throw Error("tracing " + what + ": " + grouped(cappedRays) +
                     " rays were given up at the step cap; please report this scene");
     if (check.mismatches > 0)
         throw Error("check of " + what + ": " + grouped(check.mismatches) + " of " + grouped(check.rays) +
@@ -117,10 +125,10 @@ std::string builtLine(const BuiltTree& built) {
            fixed(built.statistics.sahCost, 2) + ", " + grouped(built.statistics.nodes) + " nodes\n";
 }
 
-std::string tracedLine(uint64_t rays, const Tracer::Result& traced) {
-    const std::string invalid = traced.invalidRays > 0 ? ", " + grouped(traced.invalidRays) + " invalid" : "";
-    return "trace     " + fixed(traced.ms, 3) + " ms, " + grouped(rays) + " rays" + invalid + ", " +
-           fixed(mraysPerSecond(rays, traced.ms), 2) + " Mrays/s\n";
+std::string tracedLine(uint64_t rays, double ms, uint64_t invalidRays) {
+    const std::string invalid = invalidRays > 0 ? ", " + grouped(invalidRays) + " invalid" : "";
+    return "trace     " + fixed(ms, 3) + " ms, " + grouped(rays) + " rays" + invalid + ", " +
+           fixed(mraysPerSecond(rays, ms), 2) + " Mrays/s\n";
 }
 
 std::string checkedLine(const CheckResult& check) {

@@ -32,7 +32,7 @@ struct BuiltTree {
     // bound.
     uint64_t peakBytes = 0;
     bool memoryLimited = false;
-    std::vector<KernelTime> kernels;  // see Session::profile
+    std::vector<PassTime> passes;  // see Session::profile
 };
 
 class Session {
@@ -51,19 +51,22 @@ class Session {
     void profile(BuiltTree& built);
     // The tree on the device, which opens it.
     const DeviceTree& upload(BuiltTree& built);
+    // What pictures need beside the tree.
+    const DeviceTriangles& trianglesOnDevice();
+    const DeviceMaterials& materialsOnDevice();
 
     // Judges up to `count` of the rays. The reference is made at the first call and serves all builders.
     CheckResult check(std::span<const Ray> rays, std::span<const Hit> hits, Query query, uint64_t count);
 
   private:
-    std::shared_ptr<DeviceTriangles> trianglesOnDevice();
     void buildOnDevice(BuiltTree& built);
 
     Run& run_;
     Scene scene_;
     TriangleSet set_;
     Box bounds_ = emptyBox();
-    std::shared_ptr<DeviceTriangles> onDevice_;
+    std::unique_ptr<DeviceTriangles> onDevice_;
+    std::unique_ptr<DeviceMaterials> materials_;
     std::unique_ptr<Reference> reference_;
 };
 
@@ -71,11 +74,11 @@ class Session {
 std::filesystem::path defaultScene();
 
 // Throws Error if a ray was given up or the check found a wrong answer.
-void requireAnswered(const Tracer::Result& traced, const CheckResult& check, const std::string& what);
+void requireAnswered(uint64_t cappedRays, const CheckResult& check, const std::string& what);
 
 // A line each for the terminal.
 std::string builtLine(const BuiltTree& built);
-std::string tracedLine(uint64_t rays, const Tracer::Result& traced);
+std::string tracedLine(uint64_t rays, double ms, uint64_t invalidRays);
 std::string checkedLine(const CheckResult& check);
 
 }  // namespace cleave

@@ -15,19 +15,19 @@ KdTree buildOnHost(Builder builder, const TriangleSet& set, const BuildSettings&
 }  // namespace
 
 std::shared_ptr<TreeUnderTest> buildForTest(Run& run, Builder builder, const TriangleSet& set,
-                                            const std::shared_ptr<DeviceTriangles>& triangles) {
+                                            const DeviceTriangles& triangles) {
     auto tree = std::make_shared<TreeUnderTest>();
     tree->builder = nameOf(builder);
     if (builder == Builder::gpu) {
         GpuBuilder::Result result = run.device.builder().build(triangles, run.options.settings);
         tree->onDevice = std::move(result.tree);
-        tree->tree = readBack(run.device.context(), *tree->onDevice);
+        tree->tree = readBack(*tree->onDevice);
         tree->buildMs = result.ms;
     } else {
         const Stopwatch watch;
         tree->tree = buildOnHost(builder, set, run.options.settings);
         tree->buildMs = watch.milliseconds();
-        tree->onDevice = uploadTree(run.device.context(), triangles, tree->tree);
+        tree->onDevice = uploadTree(run.device.device(), set, tree->tree);
     }
     tree->statistics = computeStatistics(tree->tree);
     return tree;
@@ -36,8 +36,8 @@ std::shared_ptr<TreeUnderTest> buildForTest(Run& run, Builder builder, const Tri
 std::vector<TraversalUnderTest> traversalsFor(Run& run, const TriangleSet& set) {
     const auto onDevice = [&run](Traversal traversal) {
         return [&run, traversal](const TreeUnderTest& tree, std::span<const Ray> rays) {
-            const TraceMode mode{traversal, TriangleTest::watertight, true};
-            return run.device.tracer().trace(*tree.onDevice, rays, Query::closest, mode);
+            const TraceMode mode{Query::closest, traversal, TriangleTest::watertight, true};
+            return run.device.tracer().trace(*tree.onDevice, rays, mode);
         };
     };
     std::vector<TraversalUnderTest> traversals;

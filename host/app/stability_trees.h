@@ -13,7 +13,7 @@ inline constexpr std::array kDeviceTraversals{Traversal::restart, Traversal::sta
 
 // Builds with the settings of the run's options; the tree is on the host and on the device.
 std::shared_ptr<TreeUnderTest> buildForTest(Run& run, Builder builder, const TriangleSet& set,
-                                            const std::shared_ptr<DeviceTriangles>& triangles);
+                                            const DeviceTriangles& triangles);
 
 // Those of the device, with steps counted, and the walk on the host where it is affordable.
 std::vector<TraversalUnderTest> traversalsFor(Run& run, const TriangleSet& set);

@@ -32,9 +32,9 @@ std::vector<Hit> traceJudged(Run& run, Session& session, const DeviceTree& tree,
                              const std::string& what, CheckResult& sum) {
     if (rays.empty()) return {};
     run.progress.phase("checking " + what);
-    Tracer::Result traced = run.device.tracer().trace(tree, rays, Query::closest);
+    Tracer::Result traced = run.device.tracer().trace(tree, rays);
     const CheckResult check = session.check(rays, traced.hits, Query::closest, raysToJudge(run.options));
-    requireAnswered(traced, check, what);
+    requireAnswered(traced.cappedRays, check, what);
     sum.add(check);
     return std::move(traced.hits);
 }
@@ -46,7 +46,7 @@ double costPerRay(Run& run, const DeviceTree& tree, const SurveyRays& rays) {
     double cost = 0.0;
     for (const std::vector<Ray>* set : {&rays.primary, &rays.diffuse}) {
         if (set->empty()) continue;
-        for (const StepCount& s : run.device.tracer().trace(tree, *set, Query::closest, counting).steps)
+        for (const StepCount& s : run.device.tracer().trace(tree, *set, counting).steps)
             cost += double{kCostTraverse} * s.inner + double{kCostIntersect} * s.triangles;
     }
     return cost / static_cast<double>(std::max<size_t>(1, rays.primary.size() + rays.diffuse.size()));
@@ -99,9 +99,9 @@ void timeOnce(Run& run, Session& session, const SurveyRays& rays, SurveyBuilder&
     const DeviceTree& tree = session.upload(built);
     if (!onDevice) figures.upload.push_back(upload.milliseconds());
     if (!rays.primary.empty())
-        figures.primary.push_back(run.device.tracer().trace(tree, rays.primary, Query::closest).ms);
+        figures.primary.push_back(run.device.tracer().trace(tree, rays.primary).ms);
     if (!rays.diffuse.empty())
-        figures.diffuse.push_back(run.device.tracer().trace(tree, rays.diffuse, Query::closest).ms);
+        figures.diffuse.push_back(run.device.tracer().trace(tree, rays.diffuse).ms);
 }
 
 SurveyComplexity complexityOf(Run& run, const TriangleSet& set) {

@@ -6,74 +6,48 @@
 
 #include "base/error.h"
 #include "gpu/allocator.h"
-#include "gpu/recorder.h"
+#include "gpu/check.h"
+#include "gpu/staging.h"
 
 namespace cleave {
 
 namespace {
-
-constexpr size_t kStagingBytes = size_t(16) << 20;
-
-// Memory that both sides see, for one transfer.
-class Staging {
-  public:
-    Staging(Context& context, size_t bytes) : context_(context) {
-        VkBufferCreateInfo info{};
-        info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
-        info.size = bytes;
-        info.usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
-        VmaAllocationCreateInfo memory{};
-        memory.usage = VMA_MEMORY_USAGE_AUTO_PREFER_HOST;
-        memory.flags = VMA_ALLOCATION_CREATE_HOST_ACCESS_RANDOM_BIT | VMA_ALLOCATION_CREATE_MAPPED_BIT;
-        VmaAllocationInfo got{};
-        check(vmaCreateBuffer(context.allocator, &info, &memory, &handle, &allocation, &got),
-              "allocating a transfer buffer");
-        mapped = got.pMappedData;
-    }
-    ~Staging() { vmaDestroyBuffer(context_.allocator, handle, allocation); }
-    Staging(const Staging&) = delete;
-    Staging& operator=(const Staging&) = delete;
-
-    VkBuffer handle = VK_NULL_HANDLE;
-    VmaAllocation allocation = nullptr;
-    void* mapped = nullptr;
-
-  private:
-    Context& context_;
-};
-
+std::string mebibytes(uint64_t bytes) { return std::to_string((bytes >> 20) + 1) + " MiB"; }
 }  // namespace
 
-Buffer::Buffer(Context& context, size_t bytes) : context_(&context), size_(bytes) {
+Buffer::Buffer(Device& device, uint64_t bytes) : device_(&device), size_(bytes) {
+    if (bytes > device.largestAllocation())
+        throw Error("the device gives at most " + mebibytes(device.largestAllocation()) + " in one piece, and " +
+                    mebibytes(bytes) + " are needed; use a smaller scene or picture");
     VkBufferCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
-    info.size = std::max<size_t>(bytes, 4);
+    info.size = std::max<uint64_t>(bytes, 4);
     info.usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT |
                  VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
                  VK_BUFFER_USAGE_TRANSFER_DST_BIT;
     VmaAllocationCreateInfo memory{};
     memory.usage = VMA_MEMORY_USAGE_AUTO_PREFER_DEVICE;
-    memory.flags = VMA_ALLOCATION_CREATE_HOST_ACCESS_RANDOM_BIT |
-                   VMA_ALLOCATION_CREATE_HOST_ACCESS_ALLOW_TRANSFER_INSTEAD_BIT | VMA_ALLOCATION_CREATE_MAPPED_BIT;
+    if (device.maps())
+        memory.flags = VMA_ALLOCATION_CREATE_HOST_ACCESS_RANDOM_BIT |
+                       VMA_ALLOCATION_CREATE_HOST_ACCESS_ALLOW_TRANSFER_INSTEAD_BIT | VMA_ALLOCATION_CREATE_MAPPED_BIT;
     VmaAllocationInfo got{};
-    const VkResult result = vmaCreateBuffer(context.allocator, &info, &memory, &handle_, &allocation_, &got);
-    if (result != VK_SUCCESS)
-        check(result, ("allocating " + std::to_string((bytes >> 20) + 1) + " MiB on the device").c_str());
+    check(vmaCreateBuffer(device.allocator(), &info, &memory, &handle_, &allocation_, &got),
+          "allocating " + mebibytes(bytes) + " on the device");
     mapped_ = got.pMappedData;
     VkBufferDeviceAddressInfo address{};
     address.sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO;
     address.buffer = handle_;
-    address_ = vkGetBufferDeviceAddress(context.device, &address);
+    address_ = vkGetBufferDeviceAddress(device.handle(), &address);
 }
 
 Buffer::~Buffer() {
-    if (handle_) vmaDestroyBuffer(context_->allocator, handle_, allocation_);
+    if (handle_) vmaDestroyBuffer(device_->allocator(), handle_, allocation_);
 }
 
 Buffer::Buffer(Buffer&& other) noexcept { *this = std::move(other); }
 
 Buffer& Buffer::operator=(Buffer&& other) noexcept {
-    std::swap(context_, other.context_);
+    std::swap(device_, other.device_);
     std::swap(handle_, other.handle_);
     std::swap(allocation_, other.allocation_);
     std::swap(mapped_, other.mapped_);
@@ -82,42 +56,26 @@ Buffer& Buffer::operator=(Buffer&& other) noexcept {
     return *this;
 }
 
-void Buffer::write(size_t offset, const void* data, size_t bytes) {
-    if (bytes == 0) return;
-    if (offset > size_ || bytes > size_ - offset) throw Error("internal: writing past the end of a device buffer");
-    if (mapped_) {
-        std::memcpy(static_cast<char*>(mapped_) + offset, data, bytes);
-        check(vmaFlushAllocation(context_->allocator, allocation_, offset, bytes), "flushing device memory");
-        return;
-    }
-    Staging staging(*context_, std::min(bytes, kStagingBytes));
-    for (size_t at = 0; at < bytes; at += kStagingBytes) {
-        const size_t part = std::min(kStagingBytes, bytes - at);
-        std::memcpy(staging.mapped, static_cast<const char*>(data) + at, part);
-        check(vmaFlushAllocation(context_->allocator, staging.allocation, 0, part), "flushing device memory");
-        Recorder recorder(*context_);
-        recorder.copy(staging.handle, 0, handle_, offset + at, part);
-        recorder.submit();
-    }
+void Buffer::requireInside(uint64_t offset, uint64_t bytes) const {
+    if (offset > size_ || bytes > size_ - offset) throw Error("internal: a transfer past the end of a device buffer");
 }
 
-void Buffer::read(size_t offset, void* data, size_t bytes) const {
+void Buffer::write(uint64_t offset, const void* data, uint64_t bytes) {
     if (bytes == 0) return;
-    if (offset > size_ || bytes > size_ - offset) throw Error("internal: reading past the end of a device buffer");
-    if (mapped_) {
-        check(vmaInvalidateAllocation(context_->allocator, allocation_, offset, bytes), "reading device memory");
-        std::memcpy(data, static_cast<const char*>(mapped_) + offset, bytes);
-        return;
-    }
-    Staging staging(*context_, std::min(bytes, kStagingBytes));
-    for (size_t at = 0; at < bytes; at += kStagingBytes) {
-        const size_t part = std::min(kStagingBytes, bytes - at);
-        Recorder recorder(*context_);
-        recorder.copy(handle_, offset + at, staging.handle, 0, part);
-        recorder.submit();
-        check(vmaInvalidateAllocation(context_->allocator, staging.allocation, 0, part), "reading device memory");
-        std::memcpy(static_cast<char*>(data) + at, staging.mapped, part);
-    }
+    requireInside(offset, bytes);
+    device_->transfers.upBytes += bytes;
+    if (!mapped_) return device_->staging().upload(handle_, offset, data, bytes);
+    std::memcpy(static_cast<char*>(mapped_) + offset, data, bytes);
+    check(vmaFlushAllocation(device_->allocator(), allocation_, offset, bytes), "flushing device memory");
+}
+
+void Buffer::read(uint64_t offset, void* data, uint64_t bytes) const {
+    if (bytes == 0) return;
+    requireInside(offset, bytes);
+    device_->transfers.downBytes += bytes;
+    if (!mapped_) return device_->staging().download(handle_, offset, data, bytes);
+    check(vmaInvalidateAllocation(device_->allocator(), allocation_, offset, bytes), "reading device memory");
+    std::memcpy(data, static_cast<const char*>(mapped_) + offset, bytes);
 }
 
 }  // namespace cleave

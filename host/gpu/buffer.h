@@ -15,18 +15,19 @@ namespace cleave {
 class Buffer {
   public:
     Buffer() = default;
-    Buffer(Context& context, size_t bytes);
+    // Throws Error if the device has not so much memory, or gives not so much in one piece.
+    Buffer(Device& device, uint64_t bytes);
     ~Buffer();
     Buffer(Buffer&& other) noexcept;
     Buffer& operator=(Buffer&& other) noexcept;
 
-    size_t size() const { return size_; }
+    uint64_t size() const { return size_; }
     VkBuffer handle() const { return handle_; }
     uint64_t address() const { return address_; }
 
     // Waits for nothing: the caller has waited for the work that uses the buffer. Ranges must lie inside.
-    void write(size_t offset, const void* data, size_t bytes);
-    void read(size_t offset, void* data, size_t bytes) const;
+    void write(uint64_t offset, const void* data, uint64_t bytes);
+    void read(uint64_t offset, void* data, uint64_t bytes) const;
 
     template <class T>
     void upload(std::span<const T> items) {
@@ -40,12 +41,22 @@ class Buffer {
     }
 
   private:
-    Context* context_ = nullptr;
+    Device* device_ = nullptr;
     VkBuffer handle_ = VK_NULL_HANDLE;
     VmaAllocation allocation_ = nullptr;
-    void* mapped_ = nullptr;  // null where the device's memory cannot be seen from the host
-    size_t size_ = 0;
+    void* mapped_ = nullptr;  // null where the device's memory is not seen from the host
+    uint64_t size_ = 0;
     uint64_t address_ = 0;
+
+    void requireInside(uint64_t offset, uint64_t bytes) const;
 };
+
+// A buffer that holds the items.
+template <class T>
+Buffer uploaded(Device& device, std::span<const T> items) {
+    Buffer buffer(device, items.size_bytes());
+    buffer.upload(items);
+    return buffer;
+}
 
 }  // namespace cleave

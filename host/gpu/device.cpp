@@ -1,156 +1,140 @@
 #include "gpu/device.h"
 
-#include <unistd.h>
+#include <algorithm>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-
+#include "cleave/cleave.hpp"
 #include "base/error.h"
 #include "gpu/allocator.h"
-#include "gpu/instance.h"
+#include "gpu/check.h"
+#include "gpu/staging.h"
 
 namespace cleave {
 
-void check(VkResult result, const char* what) {
-    if (result == VK_SUCCESS) return;
-    if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY)
-        throw Error(std::string(what) + ": the device is out of memory; use --memory or a smaller scene");
-    if (result == VK_ERROR_DEVICE_LOST) throw Error(std::string(what) + ": the device was lost; try another --device");
-    throw Error(std::string(what) + ": Vulkan error " + std::to_string(result));
+void Device::destroyDevice(int, VkDevice device, const VkAllocationCallbacks* allocator) {
+    vkDestroyDevice(device, allocator);
 }
 
-void ContextDeleter::operator()(Context* context) const { delete context; }
-
-ContextPointer openDevice(const std::string& nameOrIndex) { return ContextPointer(new Context(nameOrIndex)); }
-
-std::string deviceName(const Context& context) { return context.properties.deviceName; }
-uint64_t validationMessages(const Context& context) { return context.validation->messages; }
-double setupMilliseconds(const Context& context) { return context.setupMs; }
-
-namespace {
-// Where pipelines are kept from run to run; empty if there is no place for them.
-std::filesystem::path cacheFile(const VkPhysicalDeviceProperties& properties) {
-    std::filesystem::path folder;
-    if (const char* xdg = std::getenv("XDG_CACHE_HOME"); xdg && *xdg)
-        folder = xdg;
-    else if (const char* home = std::getenv("HOME"); home && *home)
-        folder = std::filesystem::path(home) / ".cache";
-    else
-        return {};
-    std::string name = "pipelines-";
-    for (uint8_t byte : properties.pipelineCacheUUID) {
-        name += "0123456789abcdef"[byte >> 4];
-        name += "0123456789abcdef"[byte & 15];
-    }
-    return folder / "cleave" / name;
-}
-}  // namespace
-
-Context::Context(const std::string& nameOrIndex) {
-    try {
-        instance = createInstance(validation.get(), &messenger_);
-        const std::vector<VkPhysicalDevice> devices = physicalDevices(instance);
-        std::vector<DeviceInfo> infos;
-        for (VkPhysicalDevice d : devices) infos.push_back(describe(d, static_cast<uint32_t>(infos.size())));
-        openDevice(devices[chooseDevice(infos, nameOrIndex)]);
-    } catch (...) {
-        destroy();
-        throw;
-    }
+void Device::destroyAllocator(int, VmaAllocator allocator, const VkAllocationCallbacks*) {
+    vmaDestroyAllocator(allocator);
 }
 
-Context::~Context() {
-    savePipelineCache();
-    destroy();
+Device::Device(DeviceOptions options) : options_(std::move(options)) {
+    instance_ = std::make_unique<Instance>(options_.onValidation);
+    open();
+    prepare();
 }
 
-void Context::openDevice(VkPhysicalDevice chosen) {
-    physical = chosen;
-    vkGetPhysicalDeviceProperties(physical, &properties);
-    queueFamily = static_cast<uint32_t>(computeFamily(physical));
+Device::Device(const Adopted& adopted, DeviceOptions options) : options_(std::move(options)), adopted_(adopted) {
+    prepare();
+}
+
+Device::~Device() {
+    if (handle()) vkDeviceWaitIdle(handle());
+    storePipelineCache();
+}
+
+void Device::open() {
+    const std::vector<VkPhysicalDevice> devices = instance_->devices();
+    std::vector<DeviceInfo> infos;
+    for (VkPhysicalDevice d : devices) infos.push_back(describe(d, static_cast<uint32_t>(infos.size())));
+    adopted_.instance = instance_->handle();
+    adopted_.physicalDevice = devices[chooseDevice(infos, options_.nameOrIndex)];
+    adopted_.queueFamily = static_cast<uint32_t>(computeFamily(adopted_.physicalDevice));
     const float priority = 1.0f;
     VkDeviceQueueCreateInfo queueInfo{};
     queueInfo.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
-    queueInfo.queueFamilyIndex = queueFamily;
+    queueInfo.queueFamilyIndex = adopted_.queueFamily;
     queueInfo.queueCount = 1;
     queueInfo.pQueuePriorities = &priority;
-    VkPhysicalDeviceVulkan13Features f13{};
-    f13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
-    f13.synchronization2 = VK_TRUE;
-    f13.maintenance4 = VK_TRUE;  // workgroup sizes from specialisation constants
-    VkPhysicalDeviceVulkan12Features f12{};
-    f12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
-    f12.pNext = &f13;
-    f12.bufferDeviceAddress = VK_TRUE;
-    f12.scalarBlockLayout = VK_TRUE;
+    Requirements needed = requirements();
+    needed.vulkan12.pNext = &needed.vulkan13;
     VkPhysicalDeviceFeatures2 features{};
     features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
-    features.pNext = &f12;
-    features.features.shaderFloat64 = VK_TRUE;
+    features.pNext = &needed.vulkan12;
+    features.features = needed.features;
     VkDeviceCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
     info.pNext = &features;
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queueInfo;
-    check(vkCreateDevice(physical, &info, nullptr, &device), "opening the Vulkan device");
-    vkGetDeviceQueue(device, queueFamily, 0, &queue);
-    VkCommandPoolCreateInfo pool{};
-    pool.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
-    pool.flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT;
-    pool.queueFamilyIndex = queueFamily;
-    check(vkCreateCommandPool(device, &pool, nullptr, &commandPool), "creating the command pool");
-    VmaAllocatorCreateInfo allocatorInfo{};
-    allocatorInfo.flags = VMA_ALLOCATOR_CREATE_BUFFER_DEVICE_ADDRESS_BIT;
-    allocatorInfo.instance = instance;
-    allocatorInfo.physicalDevice = physical;
-    allocatorInfo.device = device;
-    allocatorInfo.vulkanApiVersion = VK_API_VERSION_1_3;
-    check(vmaCreateAllocator(&allocatorInfo, &allocator), "creating the memory allocator");
-    loadPipelineCache();
+    check(vkCreateDevice(adopted_.physicalDevice, &info, nullptr, device_.put()), "opening the Vulkan device");
+    adopted_.device = device_.get();
+    vkGetDeviceQueue(adopted_.device, adopted_.queueFamily, 0, &adopted_.queue);
 }
 
-// A damaged file does no harm: the driver checks the header, and what it refuses is built anew.
-void Context::loadPipelineCache() {
-    std::vector<char> data;
-    if (const auto file = cacheFile(properties); !file.empty()) {
-        std::ifstream in(file, std::ios::binary);
-        data.assign(std::istreambuf_iterator<char>(in), {});
+void Device::prepare() {
+    VkPhysicalDeviceMaintenance4Properties maintenance4{};
+    maintenance4.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_4_PROPERTIES;
+    VkPhysicalDeviceMaintenance3Properties maintenance3{};
+    maintenance3.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES;
+    maintenance3.pNext = &maintenance4;
+    VkPhysicalDeviceProperties2 properties{};
+    properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
+    properties.pNext = &maintenance3;
+    vkGetPhysicalDeviceProperties2(physicalDevice(), &properties);
+    properties_ = properties.properties;
+    largestAllocation_ = std::min(maintenance3.maxMemoryAllocationSize, maintenance4.maxBufferSize);
+    if (options_.largestAllocation != 0)
+        largestAllocation_ = std::min<uint64_t>(largestAllocation_, options_.largestAllocation);
+
+    uint32_t count = 0;
+    vkGetPhysicalDeviceQueueFamilyProperties(physicalDevice(), &count, nullptr);
+    std::vector<VkQueueFamilyProperties> families(count);
+    vkGetPhysicalDeviceQueueFamilyProperties(physicalDevice(), &count, families.data());
+    const uint32_t bits = families.at(adopted_.queueFamily).timestampValidBits;
+    clockMask_ = bits >= 64 ? UINT64_MAX : (uint64_t(1) << bits) - 1;
+
+    VkCommandPoolCreateInfo pool{};
+    pool.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
+    pool.flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT | VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
+    pool.queueFamilyIndex = adopted_.queueFamily;
+    commandPool_ = Owned<VkDevice, VkCommandPool, vkDestroyCommandPool>(handle());
+    check(vkCreateCommandPool(handle(), &pool, nullptr, commandPool_.put()), "creating the command pool");
+    createPipelineCache();
+    VmaAllocatorCreateInfo allocatorInfo{};
+    allocatorInfo.flags = VMA_ALLOCATOR_CREATE_BUFFER_DEVICE_ADDRESS_BIT;
+    allocatorInfo.instance = instance();
+    allocatorInfo.physicalDevice = physicalDevice();
+    allocatorInfo.device = handle();
+    allocatorInfo.vulkanApiVersion = VK_API_VERSION_1_3;
+    check(vmaCreateAllocator(&allocatorInfo, allocator_.put()), "creating the memory allocator");
+}
+
+std::string Device::pipelineKey() const {
+    std::string key;
+    for (uint8_t byte : properties_.pipelineCacheUUID) {
+        key += "0123456789abcdef"[byte >> 4];
+        key += "0123456789abcdef"[byte & 15];
     }
+    return key;
+}
+
+void Device::createPipelineCache() {
+    std::vector<char> data;
+    if (options_.loadPipelines) data = options_.loadPipelines(pipelineKey());
     VkPipelineCacheCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO;
     info.initialDataSize = data.size();
     info.pInitialData = data.data();
-    if (vkCreatePipelineCache(device, &info, nullptr, &pipelineCache) == VK_SUCCESS) return;
+    pipelineCache_ = Owned<VkDevice, VkPipelineCache, vkDestroyPipelineCache>(handle());
+    if (vkCreatePipelineCache(handle(), &info, nullptr, pipelineCache_.put()) == VK_SUCCESS) return;
     info.initialDataSize = 0;
-    check(vkCreatePipelineCache(device, &info, nullptr, &pipelineCache), "creating the pipeline cache");
+    check(vkCreatePipelineCache(handle(), &info, nullptr, pipelineCache_.put()), "creating the pipeline cache");
 }
 
-// Best effort: without a place to write, the next start compiles again.
-void Context::savePipelineCache() {
+// Best effort: without it, the next start compiles again.
+void Device::storePipelineCache() {
     size_t size = 0;
-    const auto file = cacheFile(properties);
-    if (file.empty() || vkGetPipelineCacheData(device, pipelineCache, &size, nullptr) != VK_SUCCESS) return;
+    if (!options_.storePipelines || !pipelineCache_) return;
+    if (vkGetPipelineCacheData(handle(), pipelineCache_.get(), &size, nullptr) != VK_SUCCESS) return;
     std::vector<char> data(size);
-    if (vkGetPipelineCacheData(device, pipelineCache, &size, data.data()) != VK_SUCCESS) return;
-    std::error_code ignored;
-    if (std::filesystem::file_size(file, ignored) == size && !ignored) return;
-    std::filesystem::create_directories(file.parent_path(), ignored);
-    const std::filesystem::path beside = file.string() + "." + std::to_string(getpid());
-    std::ofstream(beside, std::ios::binary).write(data.data(), static_cast<std::streamsize>(size));
-    std::filesystem::rename(beside, file, ignored);
+    if (vkGetPipelineCacheData(handle(), pipelineCache_.get(), &size, data.data()) != VK_SUCCESS) return;
+    options_.storePipelines(pipelineKey(), data);
 }
 
-void Context::destroy() {
-    if (device) {
-        vkDeviceWaitIdle(device);
-        if (pipelineCache) vkDestroyPipelineCache(device, pipelineCache, nullptr);
-        if (allocator) vmaDestroyAllocator(allocator);
-        if (commandPool) vkDestroyCommandPool(device, commandPool, nullptr);
-        vkDestroyDevice(device, nullptr);
-    }
-    destroyInstance(instance, messenger_);
+StagingRing& Device::staging() {
+    if (!staging_) staging_ = std::make_unique<StagingRing>(*this, options_.stagingBytes);
+    return *staging_;
 }
 
 }  // namespace cleave

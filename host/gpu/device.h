@@ -1,62 +1,105 @@
-// The opened device, for the code that talks Vulkan. Nothing outside host/gpu and host/pass includes this.
+// The Vulkan device: opened by us, or adopted from somebody who has one.
 #pragma once
 
 #include <vulkan/vulkan.h>
 
-#include <atomic>
 #include <cstdint>
-#include <map>
+#include <functional>
 #include <memory>
-#include <mutex>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "gpu/context.h"
+#include "gpu/instance.h"
+#include "gpu/owned.h"
 
 VK_DEFINE_HANDLE(VmaAllocator)
 
 namespace cleave {
 
-// Throws Error naming `what` and the result if it is not VK_SUCCESS.
-void check(VkResult result, const char* what);
-
-// Counts and prints what the validation layers say.
-struct ValidationLog {
-    std::atomic<uint64_t> messages{0};
+struct DeviceOptions {
+    std::string nameOrIndex;  // see chooseDevice(); empty: the best
+    // With it, validation is on (of a device that we open).
+    ValidationListener onValidation;
+    // Where pipelines are kept from run to run; without these, nowhere. The key names device and driver. What
+    // `loadPipelines` returns may be damaged: the driver checks it.
+    std::function<std::vector<char>(const std::string& key)> loadPipelines;
+    std::function<void(const std::string& key, std::span<const char> data)> storePipelines;
+    // False: no device memory is mapped, as on a discrete GPU, and all transfers are staged.
+    bool maps = true;
+    uint64_t largestAllocation = 0;          // bytes; 0: what the device says
+    size_t stagingBytes = size_t(16) << 20;  // of the ring that transfers go through
+    uint32_t longestRow = 0;                 // of workgroups in a dispatch; 0: as long as every device takes
 };
 
-class Context {
+// What was moved over the bus: every byte that the host wrote or read in device-visible memory, mapped or staged.
+struct TransferCount {
+    uint64_t upBytes = 0;
+    uint64_t downBytes = 0;
+};
+
+class StagingRing;
+
+// Device, queue, memory. One thread uses it at a time.
+class Device {
   public:
-    explicit Context(const std::string& nameOrIndex);
-    ~Context();
-    Context(const Context&) = delete;
-    Context& operator=(const Context&) = delete;
+    struct Adopted {
+        VkInstance instance;
+        VkPhysicalDevice physicalDevice;
+        VkDevice device;  // created with cleave::requirements()
+        VkQueue queue;
+        uint32_t queueFamily;
+    };
 
-    VkInstance instance = VK_NULL_HANDLE;
-    VkPhysicalDevice physical = VK_NULL_HANDLE;
-    VkDevice device = VK_NULL_HANDLE;
-    VkQueue queue = VK_NULL_HANDLE;
-    uint32_t queueFamily = 0;
-    VkCommandPool commandPool = VK_NULL_HANDLE;
-    VkPipelineCache pipelineCache = VK_NULL_HANDLE;
-    VmaAllocator allocator = nullptr;
-    VkPhysicalDeviceProperties properties{};
-    double setupMs = 0.0;
-    // Workgroup sizes, specialisation constants of kernels. A CPU device runs 8 lanes at once and pays for each barrier
-    // by the lane: its workgroups are as small as that. For kernels whose workgroup treats a block of items:
-    uint32_t blockGroup() const { return properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? 8u : 64u; }
-    // And where it treats one small node:
-    uint32_t smallGroup() const { return properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? 8u : 32u; }
+    // Opens a device. Throws Error if there is none such.
+    explicit Device(DeviceOptions options);
+    // Adopts one, which outlives this.
+    Device(const Adopted& adopted, DeviceOptions options);
+    ~Device();
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
 
-    // Outlives the context where somebody wants to know what was said while it closed.
-    std::shared_ptr<ValidationLog> validation = std::make_shared<ValidationLog>();
+    VkInstance instance() const { return adopted_.instance; }
+    VkPhysicalDevice physicalDevice() const { return adopted_.physicalDevice; }
+    VkDevice handle() const { return adopted_.device; }
+    VkQueue queue() const { return adopted_.queue; }
+    VkCommandPool commandPool() const { return commandPool_.get(); }
+    VkPipelineCache pipelineCache() const { return pipelineCache_.get(); }
+    VmaAllocator allocator() const { return allocator_.get(); }
+    std::string name() const { return properties_.deviceName; }
+    const VkPhysicalDeviceProperties& properties() const { return properties_; }
+    bool isCpu() const { return properties_.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU; }
+    bool maps() const { return options_.maps; }
+    uint32_t longestRow() const { return options_.longestRow; }
+    // Bytes that one buffer may have.
+    uint64_t largestAllocation() const { return largestAllocation_; }
+    // Ticks of the queue's clock that are valid, as a mask; 0: it has no clock.
+    uint64_t clockMask() const { return clockMask_; }
+
+    StagingRing& staging();
+    TransferCount transfers;  // whoever counts sets it to zero
 
   private:
-    VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
-    void openDevice(VkPhysicalDevice chosen);
-    void loadPipelineCache();
-    void savePipelineCache();
-    void destroy();
+    static void destroyDevice(int, VkDevice device, const VkAllocationCallbacks* allocator);
+    static void destroyAllocator(int, VmaAllocator allocator, const VkAllocationCallbacks*);
+
+    DeviceOptions options_;
+    std::unique_ptr<Instance> instance_;  // of an opened device
+    Owned<int, VkDevice, destroyDevice> device_;
+    Adopted adopted_{};
+    VkPhysicalDeviceProperties properties_{};
+    uint64_t largestAllocation_ = 0;
+    uint64_t clockMask_ = 0;
+    Owned<VkDevice, VkCommandPool, vkDestroyCommandPool> commandPool_;
+    Owned<VkDevice, VkPipelineCache, vkDestroyPipelineCache> pipelineCache_;
+    Owned<int, VmaAllocator, destroyAllocator> allocator_;
+    std::unique_ptr<StagingRing> staging_;
+
+    void open();
+    void prepare();
+    void createPipelineCache();
+    void storePipelineCache();
+    std::string pipelineKey() const;
 };
 
 }  // namespace cleave

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdio>
-#include <cstdlib>
-#include <cstring>
 
+#include "cleave/cleave.hpp"
 #include "base/error.h"
-#include "gpu/device.h"
+#include "gpu/check.h"
 
 namespace cleave {
 
@@ -15,19 +13,18 @@ namespace {
 
 VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
                                          const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
-    static_cast<ValidationLog*>(user)->messages++;
-    std::fprintf(stderr, "validation: %s\n", data->pMessage);
+    (*static_cast<const ValidationListener*>(user))(data->pMessage);
     return VK_FALSE;
 }
 
-VkDebugUtilsMessengerCreateInfoEXT messengerInfo(ValidationLog* log) {
+VkDebugUtilsMessengerCreateInfoEXT messengerInfo(ValidationListener* listener) {
     VkDebugUtilsMessengerCreateInfoEXT info{};
     info.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
     info.messageSeverity =
         VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
     info.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT;
     info.pfnUserCallback = onMessage;
-    info.pUserData = log;
+    info.pUserData = listener;
     return info;
 }
 
@@ -51,8 +48,10 @@ const char* typeName(VkPhysicalDeviceType type) {
     }
 }
 
+// The name of a feature that the library requires and the device lacks, or nothing.
 std::string missingFeatures(VkPhysicalDevice device, uint32_t apiVersion) {
-    if (apiVersion < VK_API_VERSION_1_3) return "Vulkan 1.3";
+    const Requirements needed = requirements();
+    if (apiVersion < needed.apiVersion) return "Vulkan 1.3";
     if (computeFamily(device) < 0) return "a compute queue";
     VkPhysicalDeviceVulkan13Features f13{};
     f13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
@@ -78,27 +77,33 @@ std::string lower(std::string s) {
 
 }  // namespace
 
-bool validationWanted() {
-    const char* wanted = std::getenv("CLEAVE_VALIDATION");
-    return wanted && std::strcmp(wanted, "1") == 0;
+void Instance::destroyInstance(int, VkInstance instance, const VkAllocationCallbacks* allocator) {
+    vkDestroyInstance(instance, allocator);
 }
 
-VkInstance createInstance(ValidationLog* log, VkDebugUtilsMessengerEXT* messenger) {
+void Instance::destroyMessenger(VkInstance instance, VkDebugUtilsMessengerEXT messenger,
+                                const VkAllocationCallbacks* allocator) {
+    instanceFunction<PFN_vkDestroyDebugUtilsMessengerEXT>(instance, "vkDestroyDebugUtilsMessengerEXT")(
+        instance, messenger, allocator);
+}
+
+Instance::Instance(ValidationListener listener) : instance_(0) {
     VkApplicationInfo app{};
     app.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
     app.pApplicationName = "cleave";
-    app.apiVersion = VK_API_VERSION_1_3;
+    app.apiVersion = requirements().apiVersion;
     VkInstanceCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
     info.pApplicationInfo = &app;
 
-    const bool validate = log && validationWanted();
+    const bool validates = static_cast<bool>(listener);
+    listener_ = std::make_unique<ValidationListener>(std::move(listener));
     const char* layer = "VK_LAYER_KHRONOS_validation";
     const char* extensions[] = {VK_EXT_DEBUG_UTILS_EXTENSION_NAME, VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME};
     const VkValidationFeatureEnableEXT enabled = VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
     VkValidationFeaturesEXT features{};
-    VkDebugUtilsMessengerCreateInfoEXT debug = messengerInfo(log);
-    if (validate) {
+    VkDebugUtilsMessengerCreateInfoEXT debug = messengerInfo(listener_.get());
+    if (validates) {
         features.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT;
         features.enabledValidationFeatureCount = 1;
         features.pEnabledValidationFeatures = &enabled;
@@ -109,34 +114,26 @@ VkInstance createInstance(ValidationLog* log, VkDebugUtilsMessengerEXT* messenge
         info.enabledExtensionCount = 2;
         info.ppEnabledExtensionNames = extensions;
     }
-    VkInstance instance = VK_NULL_HANDLE;
-    const VkResult result = vkCreateInstance(&info, nullptr, &instance);
+    const VkResult result = vkCreateInstance(&info, nullptr, instance_.put());
     if (result == VK_ERROR_LAYER_NOT_PRESENT)
         throw Error(
-            "validation was asked for (CLEAVE_VALIDATION=1) but VK_LAYER_KHRONOS_validation is not installed; "
-            "install vulkan-validationlayers");
+            "validation was asked for but VK_LAYER_KHRONOS_validation is not installed; install "
+            "vulkan-validationlayers");
     if (result == VK_ERROR_INCOMPATIBLE_DRIVER)
         throw Error("no Vulkan driver was found; install one (tools/setup installs Mesa's lavapipe)");
     check(result, "creating the Vulkan instance");
-    if (validate) {
-        auto create = instanceFunction<PFN_vkCreateDebugUtilsMessengerEXT>(instance, "vkCreateDebugUtilsMessengerEXT");
-        check(create(instance, &debug, nullptr, messenger), "creating the validation messenger");
-    }
-    return instance;
+    if (!validates) return;
+    messenger_ = Owned<VkInstance, VkDebugUtilsMessengerEXT, destroyMessenger>(instance_.get());
+    auto create =
+        instanceFunction<PFN_vkCreateDebugUtilsMessengerEXT>(instance_.get(), "vkCreateDebugUtilsMessengerEXT");
+    check(create(instance_.get(), &debug, nullptr, messenger_.put()), "creating the validation messenger");
 }
 
-void destroyInstance(VkInstance instance, VkDebugUtilsMessengerEXT messenger) {
-    if (messenger)
-        instanceFunction<PFN_vkDestroyDebugUtilsMessengerEXT>(instance, "vkDestroyDebugUtilsMessengerEXT")(
-            instance, messenger, nullptr);
-    if (instance) vkDestroyInstance(instance, nullptr);
-}
-
-std::vector<VkPhysicalDevice> physicalDevices(VkInstance instance) {
+std::vector<VkPhysicalDevice> Instance::devices() const {
     uint32_t count = 0;
-    check(vkEnumeratePhysicalDevices(instance, &count, nullptr), "listing the Vulkan devices");
+    check(vkEnumeratePhysicalDevices(handle(), &count, nullptr), "listing the Vulkan devices");
     std::vector<VkPhysicalDevice> devices(count);
-    check(vkEnumeratePhysicalDevices(instance, &count, devices.data()), "listing the Vulkan devices");
+    check(vkEnumeratePhysicalDevices(handle(), &count, devices.data()), "listing the Vulkan devices");
     devices.resize(count);
     return devices;
 }
@@ -196,16 +193,11 @@ uint32_t chooseDevice(const std::vector<DeviceInfo>& infos, const std::string& n
 }
 
 std::vector<DeviceInfo> listDevices() {
-    const VkInstance instance = createInstance(nullptr, nullptr);
+    const Instance instance;
     std::vector<DeviceInfo> infos;
-    for (VkPhysicalDevice d : physicalDevices(instance))
-        infos.push_back(describe(d, static_cast<uint32_t>(infos.size())));
-    destroyInstance(instance, VK_NULL_HANDLE);
-    for (const DeviceInfo& i : infos) {
-        if (!i.usable) continue;
-        infos[chooseDevice(infos, "")].chosen = true;
-        break;
-    }
+    for (VkPhysicalDevice d : instance.devices()) infos.push_back(describe(d, static_cast<uint32_t>(infos.size())));
+    const bool any = std::any_of(infos.begin(), infos.end(), [](const DeviceInfo& i) { return i.usable; });
+    if (any) infos[chooseDevice(infos, "")].chosen = true;
     return infos;
 }
 

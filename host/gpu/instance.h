@@ -3,25 +3,54 @@
 
 #include <vulkan/vulkan.h>
 
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "gpu/context.h"
+#include "gpu/owned.h"
 
 namespace cleave {
 
-struct ValidationLog;
+struct DeviceInfo {
+    uint32_t index = 0;
+    std::string name;
+    std::string type;  // "discrete GPU", "integrated GPU", "virtual GPU", "CPU", "other"
+    std::string driver;
+    std::string apiVersion;
+    bool usable = false;
+    bool chosen = false;      // what would be used where none is named
+    std::string unusableWhy;  // what it lacks
+};
 
-// True where the environment asks for validation (CLEAVE_VALIDATION=1).
-bool validationWanted();
+// Hears what the validation layers say, one message a call.
+using ValidationListener = std::function<void(const char* message)>;
 
-// An instance, with validation and a messenger that feeds `log` where wanted. Throws Error.
-VkInstance createInstance(ValidationLog* log, VkDebugUtilsMessengerEXT* messenger);
-void destroyInstance(VkInstance instance, VkDebugUtilsMessengerEXT messenger);
+// An instance; with a listener the validation layers (and synchronisation validation) are on.
+class Instance {
+  public:
+    // Throws Error if there is no Vulkan loader or driver, or validation is wanted and not installed.
+    explicit Instance(ValidationListener listener = nullptr);
 
-std::vector<VkPhysicalDevice> physicalDevices(VkInstance instance);
+    VkInstance handle() const { return instance_.get(); }
+    std::vector<VkPhysicalDevice> devices() const;
+
+  private:
+    static void destroyInstance(int, VkInstance instance, const VkAllocationCallbacks* allocator);
+    static void destroyMessenger(VkInstance instance, VkDebugUtilsMessengerEXT messenger,
+                                 const VkAllocationCallbacks* allocator);
+
+    std::unique_ptr<ValidationListener> listener_;  // its address is what the messenger knows
+    Owned<int, VkInstance, destroyInstance> instance_;
+    Owned<VkInstance, VkDebugUtilsMessengerEXT, destroyMessenger> messenger_;
+};
+
+// Every Vulkan device here, in the loader's order.
+std::vector<DeviceInfo> listDevices();
+
 DeviceInfo describe(VkPhysicalDevice device, uint32_t index);
-// Index into `infos` of the best usable device, or of the one that `nameOrIndex` names. Throws Error.
+// Index into `infos` of the best usable device, real GPUs before CPUs, or of the one that `nameOrIndex` names by its
+// number or a part of its name (case is ignored). Throws Error.
 uint32_t chooseDevice(const std::vector<DeviceInfo>& infos, const std::string& nameOrIndex);
 // Family with compute and transfer; -1 if there is none.
 int computeFamily(VkPhysicalDevice device);

@@ -7,13 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "cleave/modes.hpp"
 #include "shared/ray.h"
 #include "tree/kd_tree.h"
 #include "tree/triangle_set.h"
 
 namespace cleave {
-
-enum class Query { closest, any };
 
 // Same arithmetic: the shared triangle function in the plainest of loops. Judges tree and traversal, compared with ==.
 // Invalid rays are misses.

@@ -90,22 +90,18 @@ Camera overridden(const Camera& camera, const Box& bounds, const ViewOverrides& 
     return result;
 }
 
-Ray imageRay(const Camera& camera, double x, double y, uint32_t width, uint32_t height, float tMax) {
-    const double pixel = 2.0 * halfHeight(camera) / height;
-    const dvec3 right = glm::cross(camera.forward, camera.up);
-    const dvec3 offset = (x - 0.5 * width) * pixel * right + (0.5 * height - y) * pixel * camera.up;
-    const dvec3 origin = camera.orthographic ? camera.eye + offset : camera.eye;
-    const dvec3 direction = camera.orthographic ? camera.forward : glm::normalize(camera.forward + offset);
-    return {vec3(origin), 0.0f, vec3(direction), tMax};
-}
-
-std::vector<Ray> cameraRays(const Camera& camera, uint32_t width, uint32_t height) {
-    std::vector<Ray> rays;
-    rays.reserve(size_t(width) * height);
-    for (uint32_t y = 0; y < height; ++y)
-        for (uint32_t x = 0; x < width; ++x)
-            rays.push_back(imageRay(camera, x + 0.5, y + 0.5, width, height, infinity()));
-    return rays;
+ImageCamera imageCamera(const Camera& camera, uint32_t width, uint32_t height, float tMax) {
+    ImageCamera image;
+    image.eye = camera.eye;
+    image.forward = camera.forward;
+    image.right = glm::cross(camera.forward, camera.up);
+    image.up = camera.up;
+    image.pixel = 2.0 * halfHeight(camera) / height;
+    image.width = width;
+    image.height = height;
+    image.orthographic = camera.orthographic ? 1 : 0;
+    image.tMax = tMax;
+    return image;
 }
 
 }  // namespace cleave

@@ -10,7 +10,7 @@
 
 #include "scene/scene.h"
 #include "shared/box.h"
-#include "shared/ray.h"
+#include "shared/picture.h"
 
 namespace cleave {
 
@@ -37,11 +37,7 @@ struct ViewOverrides {
 // With an eye but no point to look at, it looks at the centre of the bounds.
 Camera overridden(const Camera& camera, const Box& bounds, const ViewOverrides& overrides);
 
-// The ray through image point (x, y), in pixels from the upper left corner: square pixels, unit direction, t in
-// [0, tMax]. Double arithmetic, rounded to float once.
-Ray imageRay(const Camera& camera, double x, double y, uint32_t width, uint32_t height, float tMax);
-
-// One ray per pixel, through its centre, row by row from the top; t in [0, inf].
-std::vector<Ray> cameraRays(const Camera& camera, uint32_t width, uint32_t height);
+// The camera with an image plane of so many pixels; imageRay() (shared/picture.h) gives its rays, with t in [0, tMax].
+ImageCamera imageCamera(const Camera& camera, uint32_t width, uint32_t height, float tMax);
 
 }  // namespace cleave

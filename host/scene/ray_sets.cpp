@@ -70,14 +70,14 @@ uint32_t pcg(uint32_t x) {
 double rnd(uint32_t seed, uint32_t j, uint32_t k) { return unitInterval(pcg(pcg(4u * j + k) ^ seed)); }
 
 std::vector<Ray> primaryRays(const Box& bounds, bool interior, uint32_t size) {
-    const Camera camera = interior ? interiorCamera(bounds) : defaultCamera(bounds);
+    const ImageCamera image = imageCamera(interior ? interiorCamera(bounds) : defaultCamera(bounds), size, size, kFar);
     std::vector<Ray> rays;
     rays.reserve(size_t(size) * size);
     for (uint32_t tileY = 0; tileY < size; tileY += kTile)
         for (uint32_t tileX = 0; tileX < size; tileX += kTile)
             for (uint32_t y = tileY; y < std::min(tileY + kTile, size); ++y)
                 for (uint32_t x = tileX; x < std::min(tileX + kTile, size); ++x)
-                    rays.push_back(imageRay(camera, x + 0.5, y + 0.5, size, size, kFar));
+                    rays.push_back(imageRay(image, x + 0.5, y + 0.5));
     return rays;
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "judge/oracle.h"
-#include "pass/tracer.h"
+#include "run/tracer.h"
 #include "stability/ray_families.h"
 
 namespace cleave {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "base/error.h"
+#include "shared/build.h"
 
 namespace cleave {
 namespace {
@@ -52,9 +52,7 @@ std::string hexadecimal(uint64_t value) {
 }  // namespace
 
 uint32_t depthLimit(const BuildSettings& settings, uint64_t triangleCount) {
-    if (settings.maxDepth != 0) return std::min(settings.maxDepth, kMaxDepth);
-    const double n = static_cast<double>(std::max<uint64_t>(triangleCount, 1));
-    return std::min(static_cast<uint32_t>(std::lround(8.0 + 1.3 * std::log2(n))), kMaxDepth);
+    return depthLimit(settings.maxDepth, static_cast<uint32_t>(std::min<uint64_t>(triangleCount, kMaxLink)));
 }
 
 // Bounds and exponent are no choice of a builder and stay out.

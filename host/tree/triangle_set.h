@@ -20,6 +20,6 @@ struct TriangleSet {
 };
 
 // Scales, and leaves out what is not finite or has exactly no area. A triangle that is left out keeps its number.
-TriangleSet makeTriangleSet(std::span<const Triangle> world);
+TriangleSet makeTriangleSet(std::span<const Triangle> world, std::span<const uint32_t> list = {});
 
 }  // namespace cleave

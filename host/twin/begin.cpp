@@ -2,11 +2,12 @@
 
 namespace cleave::twin {
 
-void begin(BuildArrays& a) {
-    const uint32_t n = static_cast<uint32_t>(a.set->included.size());
-    const uint32_t chunks = chunksOf(n, a.settings.exactBelow);
-    const uint32_t smalls = smallsOf(n, a.settings.exactBelow);
-    a.nodes[0][0] = buildNode(rootCell(*a.set), 0, n, 0, 0);
+void begin(BuildArrays& a, uint32_t) {
+    const uint32_t n = a.state.refTotals.x;
+    const uint32_t chunks = chunksOf(n, a.args.exactUpTo);
+    const uint32_t smalls = smallsOf(n, a.args.exactUpTo);
+    a.state.scene.included = n;
+    a.nodes0[0] = buildNode(rootCell(a.state.scene), 0, n, 0, 0);
     for (uint32_t c = 0; c < chunks; c++) a.chunks[c] = chunkOf(0, 0, n, c);
     if (chunks > 0)
         for (uint32_t k = 0; k < 3; k++) {
@@ -15,7 +16,8 @@ void begin(BuildArrays& a) {
         }
     if (smalls > 0) a.smallNodes[0] = 0;
     a.state.nodesUsed = 1;
-    a.state.level[0] = levelOf(n, 1, chunks, smalls);
+    a.state.maxDepth = depthLimit(a.args.maxDepth, n);
+    a.state.level[0] = levelOf(n, 1, chunks, smalls, a.args.row);
 }
 
 }  // namespace cleave::twin

@@ -2,29 +2,24 @@
 
 namespace cleave {
 
-BuildArrays makeArrays(const TriangleSet& set, const BuildSettings& settings, const BuildCapacity& capacity) {
+BuildArrays makeArrays(std::span<const Triangle> world, std::span<const uint32_t> list, BuildInfo info) {
+    Geometry all;
+    all.vertexCount = 3 * static_cast<uint32_t>(world.size());
+    all.triangleCount = static_cast<uint32_t>(world.size());
+    info.geometries = &all;
+    info.geometryCount = 1;
+    info.list = list.empty() ? 0 : 1;  // a list that is there; the twin has it itself
+    info.listCount = static_cast<uint32_t>(list.size());
+    const BuildCounts n = countsOf(info);
+    const Range nowhere[BuildSizes::kMostScratch];
     BuildArrays a;
-    a.set = &set;
-    a.settings = settings;
-    a.capacity = capacity;
-    a.maxDepth = depthLimit(settings, set.included.size());
-    const uint32_t chunks = chunkCapacity(capacity.refs, settings.exactBelow);
-    for (int parity = 0; parity < 2; parity++) {
-        a.refs[parity].resize(capacity.refs);
-        a.nodes[parity].resize(capacity.levelNodes);
-    }
-    a.chunks.resize(chunks);
-    a.bounds.resize(size_t(chunks) * kBoundsWords);
-    a.bins.resize(size_t(chunks) * kBinWords);
-    a.nearest.resize(chunks);
-    a.smallNodes.resize(capacity.refs);
-    a.sides.resize(capacity.refs);
-    a.clipped.resize(size_t(capacity.refs) * 2);
-    a.offsets.resize(size_t(capacity.refs) + 1);
-    a.blockSums.resize(ceilDiv(capacity.refs, kBlock));
-    a.nodeSums.resize(ceilDiv(capacity.levelNodes, kBlock));
-    a.tree.resize(capacity.nodes);
-    a.leafRefs.resize(capacity.leafRefs);
+    a.world.assign(world.begin(), world.end());
+    a.list.assign(list.begin(), list.end());
+    a.args = buildArgs(info, 0, nowhere, kLongestRow);
+#define CLEAVE_RESIZE(name, Element, Array, count) a.name.resize(count);
+    CLEAVE_SCRATCH_ARRAYS(CLEAVE_RESIZE)
+    CLEAVE_TREE_ARRAYS(CLEAVE_RESIZE)
+#undef CLEAVE_RESIZE
     return a;
 }
 

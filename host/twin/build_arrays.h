@@ -1,40 +1,35 @@
-// What a breadth-first build works on, on the CPU: the arrays of shared/build.h's BuildArgs.
+// The arrays of a breadth-first build on the CPU: those of shared/build.h's lists.
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "core/build_layout.h"
 #include "shared/build.h"
-#include "tree/kd_tree.h"
-#include "tree/triangle_set.h"
-#include "twin/build_capacity.h"
 
 namespace cleave {
 
-// Like BuildArgs, but with the arrays themselves. Arrays of references and nodes are double-buffered by level parity.
+// As BuildArgs, but with the arrays themselves.
 struct BuildArrays {
-    const TriangleSet* set = nullptr;
-    BuildSettings settings;
-    BuildCapacity capacity;
-    uint32_t maxDepth = 0;
-
-    std::vector<PrimRef> refs[2];
-    std::vector<BuildNode> nodes[2];
-    std::vector<Chunk> chunks;
-    std::vector<uint32_t> bounds;
-    std::vector<uint32_t> bins;
-    std::vector<NearestFaces> nearest;
-    std::vector<uint32_t> smallNodes;
-    std::vector<uint32_t> sides;
-    std::vector<Box> clipped;
-    std::vector<glm::uvec2> offsets;
-    std::vector<glm::uvec4> blockSums;
-    std::vector<glm::uvec4> nodeSums;
-    std::vector<KdNode> tree;
-    std::vector<uint32_t> leafRefs;
+    std::vector<Triangle> world;  // what the tree is built over, by number
+    std::vector<uint32_t> list;   // ascending numbers of the tree's triangles; empty: all
+    BuildArgs args{};             // settings and counts; its addresses are not used
     BuildState state{};
+    TreeData header{};
+#define CLEAVE_VECTOR(name, Element, Array, count) std::vector<Element> name;
+    CLEAVE_SCRATCH_ARRAYS(CLEAVE_VECTOR)
+    CLEAVE_TREE_ARRAYS(CLEAVE_VECTOR)
+#undef CLEAVE_VECTOR
+
+    // The arrays of references and nodes are double-buffered by the level's parity.
+    std::vector<PrimRef>& refsIn(uint32_t depth) { return depth % 2 == 0 ? refs0 : refs1; }
+    std::vector<PrimRef>& refsOut(uint32_t depth) { return depth % 2 == 0 ? refs1 : refs0; }
+    std::vector<BuildNode>& nodesIn(uint32_t depth) { return depth % 2 == 0 ? nodes0 : nodes1; }
+    std::vector<BuildNode>& nodesOut(uint32_t depth) { return depth % 2 == 0 ? nodes1 : nodes0; }
 };
 
-BuildArrays makeArrays(const TriangleSet& set, const BuildSettings& settings, const BuildCapacity& capacity);
+// A build of `world` with the settings and the capacity of `info`; geometries and list of that are not looked at.
+BuildArrays makeArrays(std::span<const Triangle> world, std::span<const uint32_t> list, BuildInfo info);
 
 }  // namespace cleave

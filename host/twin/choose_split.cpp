@@ -5,7 +5,7 @@ namespace cleave::twin {
 namespace {
 
 Split bestBoundary(const BuildArrays& a, const BuildNode& node) {
-    const uint32_t step = sampleStep(node.count, a.settings.subsample);
+    const uint32_t step = sampleStep(node.count, a.args.subsample != 0);
     Split best = noSplit();
     for (uint32_t axis = 0; axis < 3; axis++) {
         const BinRange range = rangeOf(a, node.chunk, axis);
@@ -30,7 +30,7 @@ Split bestBoundary(const BuildArrays& a, const BuildNode& node) {
 
 void chooseSplit(BuildArrays& a, uint32_t depth) {
     for (uint32_t c = 0; c < a.state.level[depth].chunkCount; c++) {
-        BuildNode& node = a.nodes[depth % 2][a.chunks[c].node];
+        BuildNode& node = a.nodesIn(depth)[a.chunks[c].node];
         if (node.chunk != c) continue;
         node.split = bestBoundary(a, node);
         a.nearest[c] = noFaces();

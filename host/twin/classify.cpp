@@ -6,15 +6,15 @@ namespace cleave::twin {
 namespace {
 
 uint32_t classifyOne(BuildArrays& a, uint32_t depth, uint32_t i) {
-    const PrimRef& r = a.refs[depth % 2][i];
-    const Split& s = a.nodes[depth % 2][r.node].split;
+    const PrimRef& r = a.refsIn(depth)[i];
+    const Split& s = a.nodesIn(depth)[r.node].split;
     if (s.axis == kLeafAxis) return 0;
     const int axis = static_cast<int>(s.axis);
     const uint32_t side = sideOf(r.lo[axis], r.hi[axis], s.position, s.planarLeft);
     if (side != (kLeft | kRight)) return side;
     const Box box{r.lo, r.hi};
     SplitBoxes parts{leftOf(box, s.axis, s.position), rightOf(box, s.axis, s.position)};
-    if (a.settings.clip) parts = splitBoxes(a.set->triangles[r.prim], box, s.axis, s.position);
+    if (a.args.clip != 0) parts = splitBoxes(a.triangles[r.prim], box, s.axis, s.position);
     a.clipped[2 * i] = parts.left;
     a.clipped[2 * i + 1] = parts.right;
     return kClipped | (isEmpty(parts.left) ? 0 : kLeft) | (isEmpty(parts.right) ? 0 : kRight);

@@ -11,15 +11,14 @@ Children childrenOf(const BuildArrays& a, const BuildNode& node) {
 glm::uvec4 nodeCounts(const BuildArrays& a, const BuildNode& node) {
     if (node.split.axis == kLeafAxis) return {0, node.count, 0, 0};
     const Children c = childrenOf(a, node);
-    const uint32_t below = a.settings.exactBelow;
-    return {1, 0, chunksOf(c.left, below) + chunksOf(c.right, below),
-            smallsOf(c.left, below) + smallsOf(c.right, below)};
+    const uint32_t upTo = a.args.exactUpTo;
+    return {1, 0, chunksOf(c.left, upTo) + chunksOf(c.right, upTo), smallsOf(c.left, upTo) + smallsOf(c.right, upTo)};
 }
 
 void countChildren(BuildArrays& a, uint32_t depth) {
     const uint32_t count = a.state.level[depth].nodeCount;
     std::fill_n(a.nodeSums.begin(), ceilDiv(count, kBlock), glm::uvec4(0));
-    for (uint32_t n = 0; n < count; n++) a.nodeSums[n / kBlock] += nodeCounts(a, a.nodes[depth % 2][n]);
+    for (uint32_t n = 0; n < count; n++) a.nodeSums[n / kBlock] += nodeCounts(a, a.nodesIn(depth)[n]);
 }
 
 }  // namespace cleave::twin

@@ -28,9 +28,9 @@ Split bestFace(const PrimRef* refs, const BuildNode& node) {
 
 void exactSplit(BuildArrays& a, uint32_t depth) {
     for (uint32_t s = 0; s < a.state.level[depth].smallCount; s++) {
-        BuildNode& node = a.nodes[depth % 2][a.smallNodes[s]];
-        const Split best = bestFace(&a.refs[depth % 2][node.first], node);
-        if (isWorthwhile(best, node.cell, node.count, depth, a.maxDepth)) node.split = best;
+        BuildNode& node = a.nodesIn(depth)[a.smallNodes[s]];
+        const Split best = bestFace(&a.refsIn(depth)[node.first], node);
+        if (isWorthwhile(best, node.cell, node.count, depth, a.state.maxDepth)) node.split = best;
     }
 }
 

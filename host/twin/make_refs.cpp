@@ -2,11 +2,12 @@
 
 namespace cleave::twin {
 
-void makeRefs(BuildArrays& a) {
-    for (size_t i = 0; i < a.set->included.size(); i++) {
-        const uint32_t prim = a.set->included[i];
-        const Box b = triangleBox(a.set->triangles[prim]);
-        a.refs[0][i] = PrimRef{b.lo, prim, b.hi, 0};
+void makeRefs(BuildArrays& a, uint32_t) {
+    size_t next = 0;
+    for (uint32_t i = 0; i < a.args.triangleCount; i++) {
+        if (a.sides[i] == 0) continue;
+        const Box b = triangleBox(a.triangles[i]);
+        a.refs0[next++] = PrimRef{b.lo, i, b.hi, 0};
     }
 }
 

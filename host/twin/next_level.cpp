@@ -8,19 +8,20 @@ void nextLevel(BuildArrays& a, uint32_t depth) {
     const uint32_t levelNodes = 2 * s.nodeTotals.x;
     const uint32_t nodes = s.nodesUsed + levelNodes;
     const uint32_t leafRefs = s.leafRefsUsed + s.nodeTotals.y + refs;
-    if (refs > a.capacity.refs) s.neededRefs = refs;
-    if (levelNodes > a.capacity.levelNodes) s.neededLevelNodes = levelNodes;
-    if (nodes > a.capacity.nodes) s.neededNodes = nodes;
-    if (leafRefs > a.capacity.leafRefs) s.neededLeafRefs = leafRefs;
-    const bool fits = refs <= a.capacity.refs && levelNodes <= a.capacity.levelNodes && nodes <= a.capacity.nodes &&
-                      leafRefs <= a.capacity.leafRefs;
+    if (refs > a.args.refCapacity) s.neededRefs = refs;
+    if (levelNodes > a.args.levelNodeCapacity) s.neededLevelNodes = levelNodes;
+    if (nodes > a.args.nodeCapacity) s.neededNodes = nodes;
+    if (leafRefs > a.args.leafRefCapacity) s.neededLeafRefs = leafRefs;
+    const bool fits = refs <= a.args.refCapacity && levelNodes <= a.args.levelNodeCapacity &&
+                      nodes <= a.args.nodeCapacity && leafRefs <= a.args.leafRefCapacity;
     s.finish = fits ? 0 : 1;
     s.levels = depth + 1;
     s.nodeBase = s.nodesUsed;
     s.leafBase = s.leafRefsUsed;
-    const bool last = depth + 1 >= a.maxDepth;  // its nodes are leaves: there is nothing to choose
+    const bool last = depth + 1 >= a.state.maxDepth;  // its nodes are leaves: there is nothing to choose
     s.level[depth + 1] =
-        fits ? levelOf(refs, levelNodes, last ? 0 : s.nodeTotals.z, last ? 0 : s.nodeTotals.w) : levelOf(0, 0, 0, 0);
+        fits ? levelOf(refs, levelNodes, last ? 0 : s.nodeTotals.z, last ? 0 : s.nodeTotals.w, a.args.row)
+             : levelOf(0, 0, 0, 0, a.args.row);
     if (fits) s.nodesUsed = nodes;
     s.leafRefsUsed += fits ? s.nodeTotals.y : s.level[depth].refCount;
 }

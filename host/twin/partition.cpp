@@ -4,15 +4,15 @@ namespace cleave::twin {
 
 // References arrive node by node, so the next level's list is: for each split node the left ones, then the right ones.
 void partition(BuildArrays& a, uint32_t depth) {
-    std::vector<PrimRef>& out = a.refs[(depth + 1) % 2];
+    std::vector<PrimRef>& out = a.refsOut(depth);
     uint32_t next = 0;
     for (uint32_t n = 0; n < a.state.level[depth].nodeCount; n++) {
-        const BuildNode& node = a.nodes[depth % 2][n];
+        const BuildNode& node = a.nodesIn(depth)[n];
         const KdNode emitted = a.tree[node.treeNode];
         const uint32_t child = nodeChild(emitted) - a.state.nodeBase;
         for (uint32_t side : {kLeft, kRight}) {
             for (uint32_t k = 0; k < node.count; k++) {
-                const PrimRef& r = a.refs[depth % 2][node.first + k];
+                const PrimRef& r = a.refsIn(depth)[node.first + k];
                 const uint32_t sides = a.sides[node.first + k];
                 if (isLeaf(emitted)) {
                     a.leafRefs[leafFirst(emitted) + k] = r.prim;

@@ -1,56 +1,62 @@
 #include "twin/twin_builder.h"
 
+#include "core/capacity.h"
+#include "base/error.h"
+#include "tree/build_info.h"
 #include "twin/passes.h"
 
 namespace cleave {
 
 namespace {
 
-void buildLevel(BuildArrays& a, uint32_t depth) {
-    twin::bounds(a, depth);
-    twin::bin(a, depth);
-    twin::chooseSplit(a, depth);
-    twin::nearest(a, depth);
-    twin::snap(a, depth);
-    twin::exactSplit(a, depth);
-    twin::classify(a, depth);
-    twin::scan(a, depth, false);
-    twin::offsets(a, depth);
-    twin::countChildren(a, depth);
-    twin::scan(a, depth, true);
-    twin::nextLevel(a, depth);
-    twin::emitNodes(a, depth);
-    twin::partition(a, depth);
+// The set is scaled already, and scaling it again by its own exponent would change nothing; so the pass that finds the
+// scale does not run: what it would find is a largest coordinate in [0.5, 1).
+BuildArrays built(const TriangleSet& set, const BuildInfo& info) {
+    BuildArrays a = makeArrays(set.triangles, {}, info);
+    a.state.scene.largest = floatBitsToUint(0.5f);
+    for (const twin::Pass& pass : twin::setupPasses())
+        if (pass.run != twin::findScale) pass.run(a, 0);
+    for (uint32_t depth = 0; depth <= a.state.maxDepth && a.state.level[depth].nodeCount > 0; depth++)
+        for (const twin::Pass& pass : twin::levelPasses()) pass.run(a, depth);
+    for (const twin::Pass& pass : twin::lastPasses()) pass.run(a, 0);
+    return a;
+}
+
+KdTree treeOf(BuildArrays& a, const TriangleSet& set) {
+    KdTree tree;
+    tree.bounds = a.header.bounds;
+    tree.exponent = set.exponent;
+    a.tree.resize(a.header.nodeCount);
+    a.leafRefs.resize(a.header.leafRefCount);
+    tree.nodes = std::move(a.tree);
+    tree.leafTriangles = std::move(a.leafRefs);
+    return tree;
+}
+
+// With the counts that the device's build has, so that budgets cut both alike.
+BuildInfo infoFor(const TriangleSet& set, const BuildSettings& settings, Geometry& all) {
+    all.triangleCount = static_cast<uint32_t>(set.triangles.size());
+    BuildInfo info = buildInfo(settings);
+    info.geometries = &all;
+    info.geometryCount = 1;
+    return info;
 }
 
 }  // namespace
 
 TwinResult buildTwin(const TriangleSet& set, const BuildSettings& settings) {
-    const uint64_t included = set.included.size();
-    BuildCapacity capacity = limitedCapacity(firstCapacity(included), settings.memory, included, settings.exactBelow);
+    Geometry all;
+    BuildInfo info = infoFor(set, settings, all);
+    info.capacity = requireCapacity(info, settings.memory);
     while (true) {
-        BuildArrays a = makeArrays(set, settings, capacity);
-        twin::makeRefs(a);
-        twin::begin(a);
-        for (uint32_t depth = 0; depth <= a.maxDepth && a.state.level[depth].nodeCount > 0; depth++)
-            buildLevel(a, depth);
-
-        const BuildCapacity larger =
-            limitedCapacity(grownCapacity(capacity, a.state), settings.memory, included, settings.exactBelow);
-        if (overflowed(a.state) &&
-            bufferBytes(larger, settings.exactBelow) > bufferBytes(capacity, settings.exactBelow)) {
-            capacity = larger;
-            continue;
-        }
+        BuildArrays a = built(set, info);
+        const Capacity wanted{a.header.wantedRefs, a.header.wantedLevelNodes, a.header.wantedNodes,
+                              a.header.wantedLeafRefs};
         TwinResult result;
-        result.peakBytes = bufferBytes(capacity, settings.exactBelow);
-        result.memoryLimited = overflowed(a.state);
-        result.tree.bounds = rootCell(set);
-        result.tree.exponent = set.exponent;
-        a.tree.resize(a.state.nodesUsed);
-        a.leafRefs.resize(a.state.leafRefsUsed);
-        result.tree.nodes = std::move(a.tree);
-        result.tree.leafTriangles = std::move(a.leafRefs);
+        result.memoryLimited = a.header.status == kShortOfCapacity;
+        result.peakBytes = buildBytes(info);
+        if (result.memoryLimited && growCapacity(info, wanted, settings.memory)) continue;
+        result.tree = treeOf(a, set);
         return result;
     }
 }

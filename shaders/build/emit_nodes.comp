@@ -12,10 +12,10 @@ shared uvec4 runs[64];  // one per invocation
 // One child: its node of the next level, and its place in the list of chunks or of small nodes.
 void emitChild(uint index, Box cell, uint first, uint count, uint chunk, uint small) {
     nodesOut().at[index] = buildNode(cell, first, count, args.state.at.nodeBase + index, chunk);
-    uint chunks = chunksOf(count, args.exactBelow);
+    uint chunks = chunksOf(count, args.exactUpTo);
     for (uint c = 0u; c < chunks; c++) args.chunks.at[chunk + c] = chunkOf(index, first, count, c);
     if (chunks > 0u) clearBounds(chunk);
-    if (smallsOf(count, args.exactBelow) > 0u) args.smallNodes.at[small] = index;
+    if (smallsOf(count, args.exactUpTo) > 0u) args.smallNodes.at[small] = index;
 }
 
 void emitLeaf(uint index, BuildNode node, uint first) {
@@ -41,7 +41,7 @@ void emitNode(uint index, BuildNode node, uvec2 children, uvec4 before) {
     nodesIn().at[index].rightBase = args.offsets.at[node.first + node.count].x;
     emitChild(left, leftOf(node.cell, s.axis, s.position), first, children.x, before.z, before.w);
     emitChild(left + 1u, rightOf(node.cell, s.axis, s.position), first + children.x, children.y,
-              before.z + chunksOf(children.x, args.exactBelow), before.w + smallsOf(children.x, args.exactBelow));
+              before.z + chunksOf(children.x, args.exactUpTo), before.w + smallsOf(children.x, args.exactUpTo));
 }
 
 void main() {

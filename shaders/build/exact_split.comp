@@ -49,5 +49,5 @@ void main() {
     for (uint k = 1u; k < entries; k++) {
         if (isBetter(bests[k], best)) best = bests[k];
     }
-    if (isWorthwhile(best, node.cell, node.count, push.depth, args.maxDepth)) nodes.at[n].split = best;
+    if (isWorthwhile(best, node.cell, node.count, push.depth, args.state.at.maxDepth)) nodes.at[n].split = best;
 }

@@ -1,19 +1,34 @@
 #version 460
-// The references of the root: a box for each included triangle. An invocation per triangle.
+// Makes the references of the root: a box for each triangle in the tree, in the order of their numbers. A workgroup per
+// block of triangles; an invocation treats a run of consecutive ones.
 #extension GL_GOOGLE_include_directive : require
 #include "lib/build.glsl"
-layout(local_size_x = kGroup) in;
+layout(local_size_x_id = 0) in;
+
+shared uint runs[64];  // one per invocation
 
 void main() {
-    uint i = groupIndex() * kGroup + gl_LocalInvocationID.x;
-    if (i >= args.includedCount) return;
-    uint prim = args.included.at[i];
-    Triangle t = args.triangles.at[prim];
-    Box b = triangleBox(t);
-    PrimRef r;
-    r.lo = b.lo;
-    r.prim = prim;
-    r.hi = b.hi;
-    r.node = 0u;
-    args.refs0.at[i] = r;
+    uint block = groupIndex();
+    if (block >= ceilDiv(args.triangleCount, kBlock)) return;
+    uint i = gl_LocalInvocationID.x;
+    uint run = kBlock / gl_WorkGroupSize.x;
+    uint from = block * kBlock + i * run;
+    uint to = min(from + run, args.triangleCount);
+    uint sum = 0u;
+    for (uint k = from; k < to; k++) sum += args.sides.at[k];
+    runs[i] = sum;
+    barrier();
+    sum = args.blockSums.at[block].x;
+    for (uint k = 0u; k < i; k++) sum += runs[k];
+    for (uint k = from; k < to; k++) {
+        if (args.sides.at[k] == 0u) continue;
+        Box b = triangleBox(args.triangles.at[k]);
+        PrimRef r;
+        r.lo = b.lo;
+        r.prim = k;
+        r.hi = b.hi;
+        r.node = 0u;
+        args.refs0.at[sum] = r;
+        sum++;
+    }
 }

@@ -10,9 +10,10 @@ layout(local_size_x = kScanGroup) in;
 shared uvec4 runs[kScanGroup];
 
 void main() {
-    bool nodes = push.scanNodes != 0u;
+    bool nodes = push.scans == kScanNodes;
     Uvec4Array sums = nodes ? args.nodeSums : args.blockSums;
-    uint count = ceilDiv(nodes ? thisLevel.nodeCount : thisLevel.refCount, kBlock);
+    uint items = nodes ? thisLevel.nodeCount : push.scans == kScanRefs ? thisLevel.refCount : args.triangleCount;
+    uint count = ceilDiv(items, kBlock);
     uint run = ceilDiv(count, kScanGroup);
     uint i = gl_LocalInvocationID.x;
     uint from = min(count, i * run);

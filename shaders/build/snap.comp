@@ -14,6 +14,6 @@ void main() {
     BuildNode node = nodes.at[n];
     if (node.chunk != c || node.split.axis == kLeafAxis) return;
     Split best = snapped(node.split, node.cell, args.nearest.at[c]);
-    bool keep = isWorthwhile(best, node.cell, node.count, push.depth, args.maxDepth);
+    bool keep = isWorthwhile(best, node.cell, node.count, push.depth, args.state.at.maxDepth);
     nodes.at[n].split = keep ? best : noSplit();
 }

@@ -1,9 +1,10 @@
-// Arrays in device memory, by address.
+// Arrays in device memory, reached by their addresses.
 #ifndef CLEAVE_LIB_ARRAYS
 #define CLEAVE_LIB_ARRAYS
 #define CLEAVE_ARRAY(Name, Type) \
     layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Name { Type at[]; }
 
+CLEAVE_ARRAY(FloatArray, float);
 CLEAVE_ARRAY(UintArray, uint);
 CLEAVE_ARRAY(Uvec2Array, uvec2);
 CLEAVE_ARRAY(Uvec4Array, uvec4);

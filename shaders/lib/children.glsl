@@ -9,7 +9,7 @@ uvec2 childCounts(BuildNode node) {
 // What a node adds to BuildState.nodeTotals.
 uvec4 nodeCounts(BuildNode node, uvec2 children) {
     if (node.split.axis == kLeafAxis) return uvec4(0u, node.count, 0u, 0u);
-    uint below = args.exactBelow;
-    return uvec4(1u, 0u, chunksOf(children.x, below) + chunksOf(children.y, below),
-                 smallsOf(children.x, below) + smallsOf(children.y, below));
+    uint upTo = args.exactUpTo;
+    return uvec4(1u, 0u, chunksOf(children.x, upTo) + chunksOf(children.y, upTo),
+                 smallsOf(children.x, upTo) + smallsOf(children.y, upTo));
 }

@@ -1,19 +1,46 @@
-// The body of a trace kernel, whichever traverse() it has included.
+// The body of the trace kernels. They are compiled from cleave.glsl, the file that users include.
+#include "shared/config.h"
+#include "lib/group.glsl"
+
+layout(local_size_x = kGroup) in;
+layout(constant_id = 0) const bool kAnyHit = false;
+layout(constant_id = 1) const bool kCountSteps = false;
+layout(constant_id = 2) const uint kTriangleTest = 0u;
+
+#define CLEAVE_COUNT_STEPS kCountSteps
+#define CLEAVE_TEST kTriangleTest
+#include "cleave.glsl"
+#include "trace_push.glsl"
+
+layout(push_constant, scalar) uniform Push { CleaveTracePush push; };
+
+bool has(uint flag) { return (push.flags & flag) != 0u; }
+
+void count(bool valid, bool finished) {
+    if (!valid) atomicAdd(push.counters.at.invalidRays, 1u);
+    if (!finished) atomicAdd(push.counters.at.unfinishedRays, 1u);
+}
 
 void main() {
     uint i = groupIndex() * kGroup + gl_LocalInvocationID.x;
     if (i >= push.rayCount) return;
-    Ray ray = push.rays.at[i];
-    StepCount steps = StepCount(0u, 0u, 0u, 0u, 0u, 0u);
-    Hit hit = missedHit();
-    if (isValidRay(ray)) {
-        ScaledRay scaled = scaledRay(ray, push.exponent);
-        bool capped;
-        hit = worldHit(traverse(scaled, steps, capped), scaled.tExponent);
-        if (capped) atomicAdd(push.counters.at.cappedRays, 1u);
-    } else {
-        atomicAdd(push.counters.at.invalidRays, 1u);
-    }
+    bool resumes = has(kCleaveTraceResumes);
+    CleaveTrail trail = cleaveEmptyTrail();
+    if (resumes) trail = push.trails.at[i];
+    if (cleaveIsFinished(trail)) return;
+    CleaveHit hit = cleaveMissedHit();
+    if (resumes || has(kCleaveTraceFromHits)) hit = push.hits.at[i];
+    CleaveStepCount steps = cleaveNoSteps();
+    if (kCountSteps && resumes) steps = push.steps.at[i];
+
+    CleaveRay ray = push.rays.at[i];
+    bool valid = cleaveIsValidRay(ray);
+    bool finished = true;
+    if (valid) finished = cleaveSearch(push.tree, ray, kAnyHit, push.stepLimit, hit, trail, steps);
+    if (!valid || !(finished || has(kCleaveTraceTrails))) hit = cleaveMissedHit();
+
+    if (has(kCleaveTraceCounters)) count(valid, finished);
+    if (has(kCleaveTraceTrails)) push.trails.at[i] = finished ? cleaveFinishedTrail() : trail;
     push.hits.at[i] = hit;
     if (kCountSteps) push.steps.at[i] = steps;
 }

@@ -1,15 +1,45 @@
-// What every traversal does at the root, at a plane and in a leaf.
+// The steps that all traversals share: at the root, at a plane and in a leaf.
 //
-// Child selection is conservative: the t of a plane carries a relative error of 7 u (difference u, reciprocal 5 u,
-// product u; u = 2^-24) and intervals are widened by 16 u, so that no cell that the ray meets is passed over.
+// Child selection is conservative. The t of a plane has a relative error of at most 7 u (difference u, reciprocal 5 u,
+// product u; u = 2^-24), and intervals are widened by 16 u, so that no cell that the ray meets is skipped.
+#ifndef CLEAVE_LIB_WALK
+#define CLEAVE_LIB_WALK
+#include "shared/step_count.h"
+#include "shared/tree.h"
 
-layout(constant_id = 0) const bool kAnyHit = false;
-layout(constant_id = 1) const bool kCountSteps = false;
-layout(constant_id = 2) const uint kTriangleTest = kWatertightTest;
-layout(push_constant, scalar) uniform Push { TracePush push; };
+// The triangle test: kWatertightTest, kPlainTest or kUnfilteredTest.
+#ifndef CLEAVE_TEST
+#define CLEAVE_TEST kWatertightTest
+#endif
+
+// Whether the work of rays is counted.
+#ifndef CLEAVE_COUNT_STEPS
+#define CLEAVE_COUNT_STEPS false
+#endif
 
 const float kWiden = 9.5367431640625e-07;  // 2^-20 = 16 u
 const float kLargeT = 3.0e38;
+
+// What traversal reads of a tree, loaded once: not all compilers move loads out of loops.
+struct TreeParts {
+    KdNodeArray nodes;
+    UintArray leafRefs;
+    TriangleArray triangles;
+    UintArray numbers;
+    bool hasNumbers;
+    Box bounds;
+};
+
+TreeParts partsOf(Tree tree) {
+    TreeParts p;
+    p.nodes = tree.at.nodes;
+    p.leafRefs = tree.at.leafRefs;
+    p.triangles = tree.at.triangles;
+    p.numbers = tree.at.numbers;
+    p.hasNumbers = uvec2(p.numbers) != uvec2(0u);
+    p.bounds = tree.at.bounds;
+    return p;
+}
 
 // A node, and the part of the ray that may lie in its cell.
 struct Visit {
@@ -18,7 +48,7 @@ struct Visit {
     float tMax;
 };
 
-// The part of the ray in the root cell, widened; false if there is none.
+// Clips the ray to the root cell, widened; false if nothing is left.
 bool enterRoot(ScaledRay ray, vec3 inverse, Box box, out float tMin, out float tMax) {
     tMin = ray.tMin;
     tMax = ray.tMax;
@@ -38,7 +68,7 @@ bool enterRoot(ScaledRay ray, vec3 inverse, Box box, out float tMin, out float t
     return tMin <= tMax;
 }
 
-// Which children the ray may meet, and where it passes from one to the other.
+// The children that the ray may meet, and where it passes from one to the other.
 struct PlaneStep {
     uint near;  // the child that comes first along the ray: 0 left, 1 right
     bool goNear;
@@ -52,7 +82,7 @@ PlaneStep stepAt(KdNode node, ScaledRay ray, vec3 inverse, float tMin, float tMa
     float toPlane = nodePosition(node) - ray.origin[axis];
     PlaneStep s;
     s.near = ray.direction[axis] < 0.0 ? 1u : 0u;
-    if (ray.direction[axis] == 0.0) {  // parallel to the plane: one side, or both where the ray lies in it
+    if (ray.direction[axis] == 0.0) {  // parallel to the plane: meets one child, or both where it lies in the plane
         s.goNear = toPlane >= 0.0;
         s.goFar = toPlane <= 0.0;
         s.tLow = -kLargeT;
@@ -68,31 +98,35 @@ PlaneStep stepAt(KdNode node, ScaledRay ray, vec3 inverse, float tMin, float tMa
 }
 
 Hit testTriangle(ScaledRay ray, Triangle t, inout StepCount steps) {
-    if (kTriangleTest == kPlainTest) return plainTriangle(ray.origin, ray.direction, t);
-    if (kTriangleTest == kWatertightTest && clearlyMisses(ray.origin, ray.direction, t.a, t.b, t.c)) return missedHit();
-    if (kCountSteps) steps.resolved++;
+    if (CLEAVE_TEST == kPlainTest) return plainTriangle(ray.origin, ray.direction, t);
+    if (CLEAVE_TEST == kWatertightTest && clearlyMisses(ray.origin, ray.direction, t.a, t.b, t.c)) return missedHit();
+    if (CLEAVE_COUNT_STEPS) steps.resolved++;
     return resolveTriangle(ray.origin, ray.direction, t.a, t.b, t.c);
 }
 
-// Keeps the best hit, from whichever leaf finds it; true if it is from this leaf.
-bool testLeaf(ScaledRay ray, KdNode leaf, inout Hit best, inout StepCount steps) {
+// Tests the triangles of a leaf and updates the best hit; true if it is now from this leaf. A triangle's number is
+// looked up only if its hit is not farther than the best.
+bool testLeaf(TreeParts tree, ScaledRay ray, KdNode leaf, bool anyHit, inout Hit best, inout StepCount steps) {
     bool found = false;
     uint first = leafFirst(leaf);
     uint count = leafCount(leaf);
-    if (kCountSteps) {
+    if (CLEAVE_COUNT_STEPS) {
         steps.leaves++;
         steps.triangles += count;
     }
     for (uint i = 0u; i < count; i++) {
-        uint prim = push.leafTriangles.at[first + i];
-        Hit h = testTriangle(ray, push.triangles.at[prim], steps);
-        h.prim = prim;
-        if (h.t >= ray.tMin && h.t <= ray.tMax && h.t < infinity() && isCloser(h, best)) {
-            best = h;
-            found = true;
-            if (kAnyHit) break;
+        uint index = tree.leafRefs.at[first + i];
+        Hit h = testTriangle(ray, tree.triangles.at[index], steps);
+        if (h.t >= ray.tMin && h.t <= ray.tMax && h.t < infinity() && h.t <= best.t) {
+            h.prim = tree.hasNumbers ? tree.numbers.at[index] : index;
+            if (isCloser(h, best)) {
+                best = h;
+                found = true;
+                if (anyHit) break;
+            }
         }
     }
-    if (kCountSteps && found) steps.hitLeaf = count;
+    if (CLEAVE_COUNT_STEPS && found) steps.hitLeaf = count;
     return found;
 }
+#endif

@@ -1,14 +1,15 @@
 // The data of a breadth-first build, as every pass of it sees them. GLSL and C++ read the same bytes.
 //
 // A level is a list of nodes and a list of references; the references of a node are consecutive, in the order of
-// nodes. Nodes with more than `exactBelow` references are large: they are cut into chunks and split by binning. The
+// nodes. Nodes with more than `exactUpTo` references are large: they are cut into chunks and split by binning. The
 // others are small: they are split by exact SAH.
 #ifndef CLEAVE_SHARED_BUILD_H
 #define CLEAVE_SHARED_BUILD_H
 #include "dispatch.h"
+#include "geometry.h"
 #include "kd_node.h"
 #include "sah.h"
-#include "triangle.h"
+#include "tree_layout.h"
 
 CLEAVE_BEGIN
 
@@ -140,7 +141,17 @@ struct Level {
 };
 CLEAVE_SIZE(Level, 100);
 
-// What survives from level to level, and what the host reads back. Zeroed before a build.
+// What is known of the triangles once they are loaded.
+struct SceneState {
+    uint largest;   // bits of the largest |coordinate| of a finite vertex
+    uint included;  // triangles in the tree
+    uint nonFinite;
+    uint noArea;
+    uint boundsBits[6];  // of the triangles in the tree: ~orderedBits(lo) xyz, orderedBits(hi) xyz; larger is wider
+};
+CLEAVE_SIZE(SceneState, 40);
+
+// What survives from level to level. Zeroed before a build.
 struct BuildState {
     uint nodesUsed;     // KdNodes, those of the next level included
     uint leafRefsUsed;  // entries of the leaf list, those of this level included
@@ -152,86 +163,143 @@ struct BuildState {
     uint neededLevelNodes;
     uint neededNodes;
     uint neededLeafRefs;
-    uvec4 refTotals;   // of the level: left, right references
+    uint maxDepth;  // of a leaf
+    SceneState scene;
+    uvec4 refTotals;   // of the level: left, right references; before the first level: triangles in the tree
     uvec4 nodeTotals;  // of the level: splits, references in leaves, chunks, small nodes
     Level level[kMaxDepth + 2u];
 };
-CLEAVE_SIZE(BuildState, 6572);
+CLEAVE_SIZE(BuildState, 6616);
 
 #ifndef __cplusplus
 #include "lib/build_arrays.glsl"
 #endif
 
-// Where everything is. One of these per build, in device memory.
+// The arrays that a build works on: name, element, its array in GLSL, how many. `n` counts the entries of a build
+// (BuildCounts in core/build_layout.h). This list is all that layout, binding, byte count, twin and tests know of them.
+#define CLEAVE_SCRATCH_ARRAYS(ROW)                                                                        \
+    ROW(geometries, GeometryData, GeometryArray, n.geometries)                                            \
+    ROW(refs0, PrimRef, PrimRefArray, n.refs) /* of even and of odd levels */                             \
+    ROW(refs1, PrimRef, PrimRefArray, n.refs)                                                             \
+    ROW(nodes0, BuildNode, BuildNodeArray, n.levelNodes)                                                  \
+    ROW(nodes1, BuildNode, BuildNodeArray, n.levelNodes)                                                  \
+    ROW(chunks, Chunk, ChunkArray, n.chunks)                                                              \
+    ROW(bounds, uint, UintArray, n.chunks* kBoundsWords)                                                  \
+    ROW(bins, uint, UintArray, n.chunks* kBinWords)                                                       \
+    ROW(nearest, NearestFaces, NearestFacesArray, n.chunks)                                               \
+    ROW(smallNodes, uint, UintArray, n.refs)       /* indices of the level's small nodes */               \
+    ROW(sides, uint, UintArray, n.refs)            /* kLeft | kRight | kClipped; at first: in the tree */ \
+    ROW(clipped, Box, BoxArray, 2 * n.refs)        /* per reference two: left and right part */           \
+    ROW(offsets, uvec2, Uvec2Array, n.refs + 1)    /* left and right references before each */            \
+    ROW(blockSums, uvec4, Uvec4Array, n.refBlocks) /* per block of references: left, right */             \
+    ROW(nodeSums, uvec4, Uvec4Array, n.nodeBlocks) /* per block of nodes: as BuildState.nodeTotals */
+
+// And those that become the tree.
+#define CLEAVE_TREE_ARRAYS(ROW)                          \
+    ROW(triangles, Triangle, TriangleArray, n.triangles) \
+    ROW(numbers, uint, UintArray, n.numbers)             \
+    ROW(tree, KdNode, KdNodeArray, n.nodes)              \
+    ROW(leafRefs, uint, UintArray, n.leafRefs)
+
+#define CLEAVE_ARRAY_FIELD(name, Element, Array, count) CLEAVE_ADDRESS(Array) name;
+
+// Where everything is and what to build. One of these per build, in device memory.
 struct BuildArgs {
-    CLEAVE_ADDRESS(TriangleArray) triangles;
-    CLEAVE_ADDRESS(UintArray) included;
-    CLEAVE_ADDRESS(PrimRefArray) refs0;  // of even and of odd levels
-    CLEAVE_ADDRESS(PrimRefArray) refs1;
-    CLEAVE_ADDRESS(BuildNodeArray) nodes0;
-    CLEAVE_ADDRESS(BuildNodeArray) nodes1;
-    CLEAVE_ADDRESS(ChunkArray) chunks;
-    CLEAVE_ADDRESS(UintArray) bounds;           // kBoundsWords per chunk
-    CLEAVE_ADDRESS(UintArray) bins;             // kBinWords per chunk
-    CLEAVE_ADDRESS(NearestFacesArray) nearest;  // one per chunk
-    CLEAVE_ADDRESS(UintArray) smallNodes;       // indices of the level's small nodes
-    CLEAVE_ADDRESS(UintArray) sides;            // per reference: kLeft | kRight | kClipped
-    CLEAVE_ADDRESS(BoxArray) clipped;           // per reference two: left and right part
-    CLEAVE_ADDRESS(Uvec2Array) offsets;         // per reference and one more: left and right references before it
-    CLEAVE_ADDRESS(Uvec4Array) blockSums;       // per block of references: left, right
-    CLEAVE_ADDRESS(Uvec4Array) nodeSums;        // per block of nodes: as BuildState.nodeTotals
-    CLEAVE_ADDRESS(KdNodeArray) tree;
-    CLEAVE_ADDRESS(UintArray) leafRefs;
+    CLEAVE_SCRATCH_ARRAYS(CLEAVE_ARRAY_FIELD)
+    CLEAVE_TREE_ARRAYS(CLEAVE_ARRAY_FIELD)
     CLEAVE_ADDRESS(BuildStateRef) state;
-    Box root;
-    uint includedCount;
+    CLEAVE_ADDRESS(Tree) header;
+    CLEAVE_ADDRESS(UintArray) list;  // numbers of the tree's triangles, where numberCount is not 0
+    uint triangleCount;              // of the tree, those that are left out included
+    uint numberCount;                // triangleCount, or 0 where a triangle's number is its index
+    uint geometryCount;
     uint refCapacity;        // references of one level: refs0, refs1, ...
     uint levelNodeCapacity;  // nodes of one level
     uint nodeCapacity;       // KdNodes
     uint leafRefCapacity;
     uint binCount;  // bins per axis, 2 to kBins
-    uint exactBelow;
-    uint maxDepth;
+    uint exactUpTo;
+    uint maxDepth;   // 0: by the formula
     uint clip;       // 0: boxes of straddling references are cut, not clipped
     uint subsample;  // 1: large nodes are binned by a part of their references
+    uint row;        // the most workgroups in a row of a dispatch
     float invBinCount;
 };
-CLEAVE_SIZE(BuildArgs, 224);
+CLEAVE_SIZE(BuildArgs, 232);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) buffer BuildArgsRef { BuildArgs at; };
 #endif
 
+// What `scan` sums up.
+CLEAVE_CONST uint kScanRefs = 0u;
+CLEAVE_CONST uint kScanNodes = 1u;
+CLEAVE_CONST uint kScanTriangles = 2u;
+
 struct BuildPush {
     CLEAVE_ADDRESS(BuildArgsRef) args;
-    uint depth;      // of the level: even levels are in refs0 and nodes0, odd ones in refs1 and nodes1
-    uint scanNodes;  // scan: 1 for the sums of nodes, 0 for those of references
+    uint depth;  // of the level: even levels are in refs0 and nodes0, odd ones in refs1 and nodes1
+    uint scans;  // of the pass `scan`: kScanRefs, ...
 };
+CLEAVE_SIZE(BuildPush, 16);
+
+// The deepest leaf of a tree over n triangles: round(8 + 1.3 log2 n), the field's formula. Logarithms differ between
+// devices; these are the numbers of triangles from which on it is one more, that is the least n with n^13 >= 2^(10 k -
+// 5).
+CLEAVE_FN uint defaultDepth(uint n) {
+    uint d = 8u;
+    d += uint(n >= 2u) + uint(n >= 3u) + uint(n >= 4u);
+    d += uint(n >= 7u) + uint(n >= 12u) + uint(n >= 19u);
+    d += uint(n >= 32u) + uint(n >= 55u) + uint(n >= 93u);
+    d += uint(n >= 159u) + uint(n >= 271u) + uint(n >= 461u);
+    d += uint(n >= 785u) + uint(n >= 1337u) + uint(n >= 2279u);
+    d += uint(n >= 3884u) + uint(n >= 6619u) + uint(n >= 11281u);
+    d += uint(n >= 19226u) + uint(n >= 32768u) + uint(n >= 55849u);
+    d += uint(n >= 95186u) + uint(n >= 162232u) + uint(n >= 276501u);
+    d += uint(n >= 471257u) + uint(n >= 803192u) + uint(n >= 1368929u);
+    d += uint(n >= 2333148u) + uint(n >= 3976526u) + uint(n >= 6777434u);
+    d += uint(n >= 11551193u) + uint(n >= 19687400u) + uint(n >= 33554432u);
+    d += uint(n >= 57188859u) + uint(n >= 97470448u) + uint(n >= 166124810u);
+    d += uint(n >= 283136613u) + uint(n >= 482566942u) + uint(n >= 822468176u);
+    return d;
+}
+CLEAVE_FN uint depthLimit(uint setting, uint n) { return setting != 0u ? min(setting, kMaxDepth) : defaultDepth(n); }
 
 // The most chunks that a level of `refs` references can have.
-CLEAVE_FN uint chunkCapacity(uint refs, uint exactBelow) { return refs / (exactBelow + 1u) + refs / kChunk + 1u; }
+CLEAVE_FN uint chunkCapacity(uint refs, uint exactUpTo) { return refs / (exactUpTo + 1u) + refs / kChunk + 1u; }
 
-CLEAVE_FN Level levelOf(uint refCount, uint nodeCount, uint chunkCount, uint smallCount) {
+// `row`: the most workgroups in a row of a dispatch.
+CLEAVE_FN Level levelOf(uint refCount, uint nodeCount, uint chunkCount, uint smallCount, uint row) {
     Level l;
     l.refCount = refCount;
     l.nodeCount = nodeCount;
     l.chunkCount = chunkCount;
     l.smallCount = smallCount;
-    l.perChunk = dispatchSize(chunkCount);
-    l.perChunkGroup = dispatchSize(ceilDiv(chunkCount, kGroup));
-    l.perSmall = dispatchSize(smallCount);
-    l.perRefBlock = dispatchSize(ceilDiv(refCount, kBlock));
-    l.perRefGroup = dispatchSize(ceilDiv(refCount, kGroup));
-    l.perNodeBlock = dispatchSize(ceilDiv(nodeCount, kBlock));
-    l.once = dispatchSize(min(nodeCount, 1u));
+    l.perChunk = dispatchSize(chunkCount, row);
+    l.perChunkGroup = dispatchSize(ceilDiv(chunkCount, kGroup), row);
+    l.perSmall = dispatchSize(smallCount, row);
+    l.perRefBlock = dispatchSize(ceilDiv(refCount, kBlock), row);
+    l.perRefGroup = dispatchSize(ceilDiv(refCount, kGroup), row);
+    l.perNodeBlock = dispatchSize(ceilDiv(nodeCount, kBlock), row);
+    l.once = dispatchSize(min(nodeCount, 1u), row);
     return l;
 }
 
-CLEAVE_FN bool isLarge(uint count, uint exactBelow) { return count > exactBelow; }
-CLEAVE_FN uint chunksOf(uint count, uint exactBelow) {
-    return isLarge(count, exactBelow) ? ceilDiv(count, kChunk) : 0u;
+// The root's cell: the bounds of the triangles in the tree, or a point at the origin without any.
+CLEAVE_FN Box rootCell(SceneState s) {
+    Box b;
+    b.lo = vec3(0.0f);
+    b.hi = vec3(0.0f);
+    for (uint axis = 0u; axis < 3u && s.included > 0u; axis++) {
+        b.lo[axis] = fromOrderedBits(~s.boundsBits[axis]);
+        b.hi[axis] = fromOrderedBits(s.boundsBits[3u + axis]);
+    }
+    return b;
 }
-CLEAVE_FN uint smallsOf(uint count, uint exactBelow) { return count > 0u && !isLarge(count, exactBelow) ? 1u : 0u; }
+
+CLEAVE_FN bool isLarge(uint count, uint exactUpTo) { return count > exactUpTo; }
+CLEAVE_FN uint chunksOf(uint count, uint exactUpTo) { return isLarge(count, exactUpTo) ? ceilDiv(count, kChunk) : 0u; }
+CLEAVE_FN uint smallsOf(uint count, uint exactUpTo) { return count > 0u && !isLarge(count, exactUpTo) ? 1u : 0u; }
 
 CLEAVE_FN BuildNode buildNode(Box cell, uint first, uint count, uint treeNode, uint chunk) {
     BuildNode n;

@@ -14,11 +14,13 @@ struct DispatchSize {
 CLEAVE_SIZE(DispatchSize, 12);
 CLEAVE_FN uint ceilDiv(uint a, uint b) { return a / b + (a % b != 0u ? 1u : 0u); }
 
-// Vulkan promises 65,535 workgroups per dimension only: more go into rows. See groupIndex() in lib/group.glsl.
-CLEAVE_FN DispatchSize dispatchSize(uint groups) {
+// Vulkan promises 65,535 workgroups per dimension only: more go into rows of at most `row`. See groupIndex() in
+// lib/group.glsl.
+CLEAVE_CONST uint kLongestRow = 65535u;
+CLEAVE_FN DispatchSize dispatchSize(uint groups, uint row) {
     DispatchSize d;
-    d.x = min(groups, 65535u);
-    d.y = ceilDiv(groups, 65535u);
+    d.x = min(groups, row);
+    d.y = ceilDiv(groups, row);
     d.z = 1u;
     if (groups == 0u) d.y = 0u;
     return d;

@@ -1,6 +1,7 @@
-// A node of the tree, 8 bytes. Children lie side by side: left at childIndex, right at childIndex + 1.
-//   inner: plane = position of the split, link = childIndex << 2 | axis (0, 1, 2)
-//   leaf:  first = where its triangle numbers begin in the leaf list (stored in `plane` as bits), link = count << 2 | 3
+// A node of the tree takes 8 bytes. Siblings are adjacent: the left child is at childIndex, the right at childIndex
+// + 1.
+//   inner node: plane = bits of the split position, link = childIndex << 2 | axis (0, 1, 2)
+//   leaf:       plane = index of its first entry in the leaf list, link = count << 2 | 3
 #ifndef CLEAVE_SHARED_KD_NODE_H
 #define CLEAVE_SHARED_KD_NODE_H
 #include "language.h"
@@ -8,13 +9,13 @@
 CLEAVE_BEGIN
 
 struct KdNode {
-    uint plane;  // bits of a float, or the first index of a leaf
+    uint plane;  // of a leaf: its first entry in the leaf list
     uint link;
 };
 CLEAVE_SIZE(KdNode, 8);
 
 CLEAVE_CONST uint kLeafAxis = 3u;
-CLEAVE_CONST uint kMaxLink = 0x3FFFFFFFu;  // most nodes, and most triangles of one leaf
+CLEAVE_CONST uint kMaxLink = 0x3FFFFFFFu;  // bounds the nodes of a tree and the triangles of a leaf
 
 CLEAVE_FN KdNode innerNode(uint axis, float position, uint childIndex) {
     KdNode n;

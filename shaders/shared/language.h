@@ -1,6 +1,7 @@
-// What lets one header be read by GLSL and by C++. Headers in this folder hold data and pure functions only: value
-// parameters, constructor casts, no swizzles, no inout. Structs use the scalar block layout, so offsets agree.
-// `precise` stops GLSL from contracting a*b+c; C++ is compiled with -ffp-contract=off: the same text, the same bits.
+// Lets GLSL and C++ include the same headers. Those in this folder hold data and pure functions only: parameters are
+// passed by value, casts are constructor calls, and there are no swizzles and no inout. Structs have the scalar block
+// layout, so that their offsets agree. `precise` stops GLSL from contracting a*b+c, as -ffp-contract=off stops C++: the
+// same text gives the same bits.
 #ifndef CLEAVE_SHARED_LANGUAGE_H
 #define CLEAVE_SHARED_LANGUAGE_H
 
@@ -30,7 +31,10 @@ using uint = uint32_t;
 inline uint floatBitsToUint(float x) { return std::bit_cast<uint>(x); }
 inline float uintBitsToFloat(uint x) { return std::bit_cast<float>(x); }
 inline float abs(float x) { return std::fabs(x); }
+inline double abs(double x) { return std::fabs(x); }
 inline float sqrt(float x) { return std::sqrt(x); }
+inline double sqrt(double x) { return std::sqrt(x); }
+inline double powerOfTwo(int e) { return std::bit_cast<double>(static_cast<uint64_t>(e + 1023) << 52); }
 inline float pow(float x, float y) { return std::pow(x, y); }
 inline float min(float a, float b) { return b < a ? b : a; }
 inline float max(float a, float b) { return a < b ? b : a; }
@@ -48,8 +52,10 @@ inline uint highestBit(uint x) { return 31u - static_cast<uint>(std::countl_zero
 #define CLEAVE_CONST const
 #define CLEAVE_SIZE(Type, bytes)
 #define CLEAVE_ADDRESS(Type) Type
-#define lowestBit(x) uint(findLSB(x))
-#define highestBit(x) uint(findMSB(x))
+uint lowestBit(uint x) { return uint(findLSB(x)); }
+uint highestBit(uint x) { return uint(findMSB(x)); }
+// e from -1022 to 1023.
+double powerOfTwo(int e) { return packDouble2x32(uvec2(0u, uint(e + 1023) << 20)); }
 #endif
 
 CLEAVE_BEGIN
@@ -60,21 +66,21 @@ CLEAVE_CONST float kLargestFloat = 3.40282347e38f;
 
 CLEAVE_FN float infinity() { return uintBitsToFloat(0x7F800000u); }
 
-// By bits, since a compiler may assume that a float is never NaN or infinite.
+// Looks at the bits, since a compiler may assume that a float is never NaN or infinite.
 CLEAVE_FN bool isFinite(float x) { return (floatBitsToUint(x) & 0x7F800000u) != 0x7F800000u; }
 CLEAVE_FN bool isNan(float x) { return (floatBitsToUint(x) & 0x7FFFFFFFu) > 0x7F800000u; }
 
-// A value below the smallest normal number becomes +0: devices may flush it or keep it, we always flush.
+// Replaces what is below the smallest normal number by +0. Devices may flush denormals or keep them; this always does.
 CLEAVE_FN float flushed(float x) { return (floatBitsToUint(x) & 0x7F800000u) == 0u ? 0.0f : x; }
 
-// Order-preserving map from finite floats to unsigned integers, for atomicMin and atomicMax. -0 sorts below +0.
+// Maps finite floats to unsigned integers of the same order, for atomicMin and atomicMax. -0 comes before +0.
 CLEAVE_FN uint orderedBits(float x) {
     uint b = floatBitsToUint(x);
     return (b & 0x80000000u) != 0u ? ~b : b | 0x80000000u;
 }
 CLEAVE_FN float fromOrderedBits(uint b) { return uintBitsToFloat((b & 0x80000000u) != 0u ? b & 0x7FFFFFFFu : ~b); }
 
-// The next float above x (below, if `up` is false). x is finite; +-0 steps to the smallest normal number.
+// Returns the next float above x, or below x if `up` is false. x is finite; +-0 steps to the smallest normal number.
 CLEAVE_FN float nextFloat(float x, bool up) {
     uint b = floatBitsToUint(x);
     if ((b & 0x7FFFFFFFu) == 0u) return up ? kSmallestNormal : -kSmallestNormal;

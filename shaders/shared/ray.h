@@ -1,11 +1,11 @@
-// Rays and hits as users give and get them, and the form in which a tree is traversed.
+// Rays and hits: as the user sees them, and in the scaled space of a tree, where they are traced.
 #ifndef CLEAVE_SHARED_RAY_H
 #define CLEAVE_SHARED_RAY_H
 #include "scale.h"
 
 CLEAVE_BEGIN
 
-// Points origin + t direction with tMin <= t <= tMax; world space; the direction need not be of unit length.
+// The points origin + t direction with tMin <= t <= tMax in world space. The direction need not be of unit length.
 struct Ray {
     vec3 origin;
     float tMin;
@@ -14,7 +14,8 @@ struct Ray {
 };
 CLEAVE_SIZE(Ray, 32);
 
-// t is in units of the direction; u and v weigh the second and third vertex. A miss: t = +inf, prim = kNone.
+// t counts lengths of the direction; u and v are the weights of the second and third vertex. A miss has t = +inf and
+// prim = kNone.
 struct Hit {
     float t;
     uint prim;
@@ -34,7 +35,7 @@ CLEAVE_FN Hit missedHit() {
 
 CLEAVE_FN bool isFinite3(vec3 v) { return isFinite(v.x) && isFinite(v.y) && isFinite(v.z); }
 
-// NUMERICS rule 6: what is not a ray is answered as a miss and counted. tMax may be +inf.
+// Says whether a ray can be traced; one that cannot be is answered as a miss and counted. tMax may be +inf.
 CLEAVE_FN bool isValidRay(Ray r) {
     if (!isFinite3(r.origin) || !isFinite3(r.direction)) return false;
     if ((floatBitsToUint(r.direction.x) & 0x7FFFFFFFu) == 0u && (floatBitsToUint(r.direction.y) & 0x7FFFFFFFu) == 0u &&
@@ -44,10 +45,10 @@ CLEAVE_FN bool isValidRay(Ray r) {
     return r.tMin >= 0.0f && r.tMin <= r.tMax && isFinite(r.tMin);
 }
 
-// A valid ray in the scaled space of a tree: the origin times 2^-sceneExponent, the direction times a power of two
-// that brings its largest component into [1, 2), and t to match; all exact. tExponent brings t back:
-// tWorld = t 2^tExponent. Zero components are +0. A ray ends where t, brought back, would be beyond the largest float:
-// else an any-hit could be one that has no t.
+// A valid ray in the scaled space of a tree: the origin times 2^-sceneExponent, the direction times the power of two
+// that brings its largest component into [1, 2), and t to match, so that tWorld = t 2^tExponent. All of it is exact.
+// Zero components are +0. The ray ends where tWorld would exceed the largest float; beyond, an any-hit query could find
+// a hit that has no t.
 struct ScaledRay {
     vec3 origin;
     float tMin;
@@ -67,8 +68,15 @@ CLEAVE_FN ScaledRay scaledRay(Ray r, int sceneExponent) {
     return s;
 }
 
+// A hit in scaled space, in world space. Exact, unless t falls below the smallest normal number.
 CLEAVE_FN Hit worldHit(Hit h, int tExponent) {
     h.t = timesPowerOfTwo(h.t, tExponent);
+    return h;
+}
+
+// And back.
+CLEAVE_FN Hit scaledHit(Hit h, int tExponent) {
+    h.t = timesPowerOfTwo(h.t, -tExponent);
     return h;
 }
 

@@ -1,5 +1,5 @@
-// Exact multiplication by powers of two, in integer arithmetic, so that it holds where a device flushes denormals and
-// where the factor itself is no float. Scenes and rays are brought to about unit size this way (t does not change).
+// Multiplies by powers of two exactly. Scenes and rays are brought to about unit size this way. The arithmetic is that
+// of integers, so that it also works where a device flushes denormals and where the factor itself is not a float.
 #ifndef CLEAVE_SHARED_SCALE_H
 #define CLEAVE_SHARED_SCALE_H
 #include "language.h"
@@ -8,7 +8,7 @@ CLEAVE_BEGIN
 
 CLEAVE_CONST int kZeroExponent = -1000;  // binaryExponent of a zero
 
-// e with 2^e <= |x| < 2^(e+1), for finite x, denormals included; kZeroExponent for +-0.
+// Returns e with 2^e <= |x| < 2^(e+1) for finite x, denormals included, and kZeroExponent for +-0.
 CLEAVE_FN int binaryExponent(float x) {
     uint b = floatBitsToUint(x) & 0x7FFFFFFFu;
     if (b == 0u) return kZeroExponent;
@@ -22,8 +22,8 @@ CLEAVE_FN int binaryExponent(float x) {
     return e;
 }
 
-// x * 2^n. Too large becomes an infinity, below the smallest normal number becomes +0; infinities and NaN stay. -0
-// becomes +0, so that no later test sees its sign.
+// Returns x * 2^n: infinity where that overflows, +0 where it is below the smallest normal number. Infinities and NaN
+// stay as they are; -0 becomes +0, so that no later test sees its sign.
 CLEAVE_FN float timesPowerOfTwo(float x, int n) {
     uint b = floatBitsToUint(x);
     uint sign = b & 0x80000000u;

@@ -1,39 +1,10 @@
-// From hits to colours: what the render kernels are given, and the pure functions that they and their twins share.
+// From hits to colours: the pure functions that the render kernels and their twins share.
 #ifndef CLEAVE_SHARED_SHADE_H
 #define CLEAVE_SHARED_SHADE_H
-#include "config.h"
-#include "trace.h"
+#include "geometry.h"
+#include "picture.h"
 
 CLEAVE_BEGIN
-
-// What a picture shows; as View in host/pass/renderer.h.
-CLEAVE_CONST uint kViewShaded = 0u;
-CLEAVE_CONST uint kViewNormals = 1u;
-CLEAVE_CONST uint kViewDepth = 2u;   // t of the hit, near is bright
-CLEAVE_CONST uint kViewSteps = 3u;   // nodes and leaves visited
-CLEAVE_CONST uint kViewLeaves = 4u;  // triangles in the leaf of the hit
-
-#ifndef __cplusplus
-#include "lib/shade_arrays.glsl"
-#endif
-
-struct ShadePush {
-    CLEAVE_ADDRESS(RayArray) rays;
-    CLEAVE_ADDRESS(HitArray) hits;
-    CLEAVE_ADDRESS(StepCountArray) steps;  // used by the views of counts only
-    CLEAVE_ADDRESS(RayArray) shadowRays;
-    CLEAVE_ADDRESS(HitArray) shadowHits;  // used by the shaded view only
-    CLEAVE_ADDRESS(TriangleArray) triangles;
-    CLEAVE_ADDRESS(UintArray) materialOf;
-    CLEAVE_ADDRESS(ColourArray) baseColours;
-    CLEAVE_ADDRESS(UintArray) pixels;
-    float offset;    // how far a shadow ray starts from its surface, in world units
-    float scaleLow;  // of depth, steps and leaves
-    float scaleHigh;
-    uint view;
-    uint count;
-};
-CLEAVE_SIZE(ShadePush, 96);
 
 // The sun is a direction; the light that comes from everywhere else is a little blue.
 CLEAVE_FN vec3 towardsSun() { return vec3(-0.39036003f, 0.78072006f, 0.48795004f); }

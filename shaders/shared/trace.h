@@ -1,52 +1,42 @@
-// What the trace kernel is given.
+// Arguments and counters of the trace kernels.
 #ifndef CLEAVE_SHARED_TRACE_H
 #define CLEAVE_SHARED_TRACE_H
 #include "config.h"
-#include "kd_node.h"
-#include "triangle.h"
+#include "step_count.h"
+#include "trail.h"
+#include "tree.h"
 
 CLEAVE_BEGIN
 
-// Triangle tests of the trace kernels: intersectTriangle; plainTriangle, quick and leaky; and resolveTriangle without
-// the filter in float before it.
-CLEAVE_CONST uint kWatertightTest = 0u;
-CLEAVE_CONST uint kPlainTest = 1u;
-CLEAVE_CONST uint kUnfilteredTest = 2u;
-
-// What a ray did; counted by a variant of the kernel that is used only where asked for.
-struct StepCount {
-    uint inner;      // inner nodes visited, those of restarts included
-    uint leaves;     // leaves visited
-    uint triangles;  // triangle tests
-    uint restarts;
-    uint hitLeaf;   // triangles in the leaf of the hit
-    uint resolved;  // triangle tests that were decided in double
-};
-CLEAVE_SIZE(StepCount, 24);
-
 struct TraceCounters {
-    uint invalidRays;
-    uint cappedRays;
+    uint invalidRays;     // answered as misses
+    uint unfinishedRays;  // given up at the step limit
 };
 CLEAVE_SIZE(TraceCounters, 8);
+
+// TracePush.flags.
+CLEAVE_CONST uint kTraceFromHits = 1u;  // goes on from the hits that are there
+CLEAVE_CONST uint kTraceResumes = 2u;   // goes on from hits and trails, and leaves finished rays alone
+CLEAVE_CONST uint kTraceTrails = 4u;    // writes trails, so that unfinished rays can be resumed
+CLEAVE_CONST uint kTraceCounters = 8u;  // counts rays
 
 #ifndef __cplusplus
 #include "lib/trace_arrays.glsl"
 #endif
 
 struct TracePush {
+    CLEAVE_ADDRESS(Tree) tree;
     CLEAVE_ADDRESS(RayArray) rays;
     CLEAVE_ADDRESS(HitArray) hits;
-    CLEAVE_ADDRESS(StepCountArray) steps;
-    CLEAVE_ADDRESS(TraceCountersRef) counters;
-    CLEAVE_ADDRESS(KdNodeArray) nodes;
-    CLEAVE_ADDRESS(UintArray) leafTriangles;
-    CLEAVE_ADDRESS(TriangleArray) triangles;
-    Box bounds;
-    int exponent;  // scaled space to world
+    CLEAVE_ADDRESS(StepCountArray) steps;       // used by the kernels that count steps
+    CLEAVE_ADDRESS(TraceCountersRef) counters;  // used with kTraceCounters
+    CLEAVE_ADDRESS(TrailArray) trails;          // one per ray; used with kTraceTrails and kTraceResumes
     uint rayCount;
+    uint stepLimit;  // inner nodes and triangle tests after which a ray is given up
+    uint flags;
+    uint reserved;
 };
-CLEAVE_SIZE(TracePush, 88);
+CLEAVE_SIZE(TracePush, 64);
 
 CLEAVE_END
 #endif

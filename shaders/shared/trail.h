@@ -1,17 +1,19 @@
-// The restart trail (Laine 2010): which half of each inner node on the way down is being visited. A bit per depth: 0
-// while the far child is still to come, 1 once it is being visited or if the node has one child to visit only. A
-// traversal that restarts and follows the trail finds its way without a stack, and progress does not depend on t.
+// The restart trail (Laine 2010) records which child of each inner node on the current path is being visited. It has a
+// bit per depth: 0 while the far child is still to be visited, 1 once it is being visited or where the ray meets only
+// one child. A traversal that restarts and follows the trail needs no stack, and its progress does not depend on t.
 #ifndef CLEAVE_SHARED_TRAIL_H
 #define CLEAVE_SHARED_TRAIL_H
 #include "language.h"
 
 CLEAVE_BEGIN
 
-// Inner nodes have depths 0 to 62 (kMaxDepth is a leaf's): 0 to 31 in `upper`, the others in `lower`; bit d & 31.
+// Inner nodes have depths 0 to 62, since kMaxDepth is that of a leaf. Depth d is bit d & 31 of `upper` if d < 32, else
+// of `lower`; so bit 31 of `lower` is free, and marks the ray as finished.
 struct Trail {
     uint upper;
     uint lower;
 };
+CLEAVE_SIZE(Trail, 8);
 
 CLEAVE_FN Trail emptyTrail() {
     Trail t;
@@ -19,6 +21,16 @@ CLEAVE_FN Trail emptyTrail() {
     t.lower = 0u;
     return t;
 }
+
+// What a ray that is answered leaves in place of a trail.
+CLEAVE_CONST uint kFinishedBit = 0x80000000u;
+CLEAVE_FN Trail finishedTrail() {
+    Trail t;
+    t.upper = 0u;
+    t.lower = kFinishedBit;
+    return t;
+}
+CLEAVE_FN bool isFinished(Trail t) { return (t.lower & kFinishedBit) != 0u; }
 
 CLEAVE_FN bool trailBit(Trail t, uint depth) { return ((depth < 32u ? t.upper : t.lower) >> (depth & 31u) & 1u) != 0u; }
 
@@ -31,11 +43,11 @@ CLEAVE_FN Trail withBit(Trail t, uint depth) {
     return t;
 }
 
-// All bits of depths below `depth`, in one word; depth is at most 32.
+// A word whose bits 0 to depth - 1 are set; depth is at most 32.
 CLEAVE_FN uint bitsBelow(uint depth) { return depth >= 32u ? 0xFFFFFFFFu : (1u << depth) - 1u; }
 
-// The trail to what comes after a visit that ended at `depth`: the deepest 0 above it becomes 1, what is deeper 0.
-// There must be such a 0 (a far child that is still to be visited).
+// The trail to the next leaf after a path that ended at `depth`: the deepest 0 on the path becomes 1, and all deeper
+// bits become 0. There must be such a 0, that is, a far child that is still to be visited.
 CLEAVE_FN Trail advanced(Trail t, uint depth) {
     uint openLower = depth > 32u ? ~t.lower & bitsBelow(depth - 32u) : 0u;
     if (openLower != 0u) {

@@ -7,6 +7,7 @@
 CLEAVE_BEGIN
 
 CLEAVE_CONST uint kTreeMagic = 0x56454C43u;  // "CLEV"
+CLEAVE_CONST uint kTreeFormatNumber = 1u;    // raised whenever the bytes of a tree change
 CLEAVE_CONST uint kShortOfCapacity = 1u;     // status: the last levels were finished as leaves
 
 #ifndef __cplusplus
@@ -32,11 +33,16 @@ struct TreeData {
     uvec2 bytes;  // low and high word
     uvec2 wantedBytes;
     CLEAVE_ADDRESS(TriangleArray) triangles;  // scaled; those left out are zeroed
-    CLEAVE_ADDRESS(UintArray) numbers;        // of the triangles, where hasNumbers
+    CLEAVE_ADDRESS(UintArray) numbers;        // of the triangles; null where each is numbered by its index
     CLEAVE_ADDRESS(KdNodeArray) nodes;
     CLEAVE_ADDRESS(UintArray) leafRefs;  // indices of triangles, leaf by leaf
 };
 CLEAVE_SIZE(TreeData, 128);
+
+#ifndef __cplusplus
+// A tree, by its address.
+layout(buffer_reference, scalar, buffer_reference_align = 8) buffer Tree { TreeData at; };
+#endif
 
 CLEAVE_END
 #endif

@@ -1,18 +1,24 @@
-// Ray against triangle: watertight, edge-inclusive, two-sided.
+// Ray-triangle intersection: watertight, edge-inclusive, two-sided.
 //
 // Which side of an edge a ray passes is the sign of a determinant. A float filter (the terms of Moeller and Trumbore
-// 1997, with a bound on their error) throws out clear misses; everything else is decided in double for the unmoved
-// vertices, in the plane across the ray (Woop, Benthin and Wald 2013). Each vertex is projected by itself, so all its
-// triangles see it in the same place, and the sign of an edge is that of the exact determinant of two projected
-// vertices; 0 counts as inside: no ray slips through an edge or a vertex. (d . (A x B) in double would be
-// antisymmetric, too, but its rounding can turn the signs around a vertex into a circle that no triangle accepts.) t is
-// evaluated to within a rounding of float. The filter only ever says "clear miss", so it cannot disagree.
+// 1997, with a bound on their error) rejects clear misses; everything else is decided in double, on the vertices as
+// they are, in a plane perpendicular to the ray (Woop, Benthin and Wald 2013). Each vertex is projected independently
+// of the others, so all triangles that share it see it in the same place, and the sign of an edge is that of the exact
+// determinant of two projected vertices. A sign of 0 counts as inside, so no ray slips through an edge or a vertex.
+// (d . (A x B) in double is antisymmetric as well, but its rounding can leave signs around a vertex that no triangle
+// accepts.) t is accurate to a rounding of float. The filter only rejects, so it cannot contradict the exact part.
 #ifndef CLEAVE_SHARED_TRIANGLE_H
 #define CLEAVE_SHARED_TRIANGLE_H
 #include "box.h"
 #include "ray.h"
 
 CLEAVE_BEGIN
+
+// Triangle tests to choose from: the watertight one; Moeller and Trumbore's in float, which is quick and leaks; and the
+// watertight one without its filter in float.
+CLEAVE_CONST uint kWatertightTest = 0u;
+CLEAVE_CONST uint kPlainTest = 1u;
+CLEAVE_CONST uint kUnfilteredTest = 2u;
 
 struct Triangle {
     vec3 a;
@@ -30,7 +36,7 @@ CLEAVE_FN Box triangleBox(Triangle t) {
 
 CLEAVE_FN float largestComponent(vec3 v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }
 
-// Each product is rounded by itself: a contracted a*b - c*d would not be antisymmetric.
+// Rounds each product, since a contracted a*b - c*d would not be antisymmetric.
 CLEAVE_FN vec3 preciseCross(vec3 a, vec3 b) {
     precise float x0 = a.y * b.z;
     precise float x1 = a.z * b.y;
@@ -64,10 +70,10 @@ CLEAVE_FN double preciseDot(dvec3 a, dvec3 b) {
     return s + z;
 }
 
-// True only if the line of the ray certainly misses the triangle. With |d| < 2 per component, E the largest edge and A
-// the largest |a - origin| component, each rounding at most u = 2^-24 of its result: the two Moeller-Trumbore terms err
-// by at most 84 u A E, the third (det - u - v) by 108 u E (2 A + E); 2^-17 E (2 A + E) covers both. Denormals are
-// covered by the absolute term.
+// Returns true only if the line of the ray certainly misses the triangle. With |d| < 2 per component, E the largest
+// edge and A the largest |a - origin| component, each rounding at most u = 2^-24 of its result: the two
+// Moeller-Trumbore terms err by at most 84 u A E, the third (det - u - v) by 108 u E (2 A + E); 2^-17 E (2 A + E)
+// covers both. Denormals are covered by the absolute term.
 CLEAVE_FN bool clearlyMisses(vec3 origin, vec3 direction, vec3 a, vec3 b, vec3 c) {
     vec3 e1 = b - a;
     vec3 e2 = c - a;
@@ -85,8 +91,8 @@ CLEAVE_FN bool clearlyMisses(vec3 origin, vec3 direction, vec3 a, vec3 b, vec3 c
     return min(u, min(v, w)) < -bound && max(u, max(v, w)) > bound;
 }
 
-// (a - b) - (c - d) to within a rounding of double, also where nearly all of it cancels: Knuth's TWO-SUM keeps what
-// each difference loses.
+// Returns (a - b) - (c - d) to within a rounding of double, even where nearly all of it cancels: Knuth's two-sum keeps
+// the rounding error of each difference.
 CLEAVE_FN double differenceOfDifferences(double a, double b, double c, double d) {
     precise double ab = a - b;
     precise double abPart = ab - a;
@@ -101,16 +107,18 @@ CLEAVE_FN double differenceOfDifferences(double a, double b, double c, double d)
     return sum + rest;
 }
 
-// Where a vertex lies as seen along the ray, times d[k]: Woop's shear (2013, section 3.1) without its division.
-// Products of floats are exact in double, so the result errs by a rounding of itself, not of the way from the origin: a
-// ray from far away sees a tiny triangle as sharply as one from near by.
+// Projects a vertex along the ray, times d[k]: Woop's shear (2013, section 3.1) without its division. Products of
+// floats are exact in double, so the error is a rounding of the result, not of the distance from the origin: rays from
+// far away hit tiny triangles as accurately as rays from nearby.
 CLEAVE_FN dvec3 shearedAlong(dvec3 o, dvec3 d, uint k, dvec3 v) {
     uint i = k < 2u ? k + 1u : 0u;
     uint j = k > 0u ? k - 1u : 2u;
     return dvec3(differenceOfDifferences(v[i] * d[k], v[k] * d[i], o[i] * d[k], o[k] * d[i]),
                  differenceOfDifferences(v[j] * d[k], v[k] * d[j], o[j] * d[k], o[k] * d[j]), 0.0);
 }
-// What rounding took from a * b, exactly (Dekker 1971, Veltkamp's split at 27 bits); `product` is a * b, rounded.
+
+// Exact rounding error of a * b (Dekker's two-product, 1971, with Veltkamp's split at 27 bits); `product` is a * b,
+// rounded.
 CLEAVE_FN double productRest(double a, double b, double product) {
     precise double aBig = double(134217729u) * a;
     precise double aHigh = aBig - (aBig - a);
@@ -123,9 +131,10 @@ CLEAVE_FN double productRest(double a, double b, double product) {
     return rest;
 }
 
-// Which side of the edge from a to b the ray passes, with the exact sign: rounding is monotone, so a difference of
-// rounded products has it or is 0, and then what was rounded off decides. (Without that a triangle 2^53 times smaller
-// than its distance from the ray is hit: its edges would all come out as 0.)
+// Tells on which side of the edge from a to b the ray passes, with the exact sign. Rounding is monotone, so a
+// difference of rounded products has the exact sign or is 0; if it is 0, the rounding errors decide. (Otherwise all
+// edges of a triangle 2^53 times smaller than its distance from the ray would come out as 0, and it would always be
+// hit.)
 CLEAVE_FN double edgeSide(dvec3 a, dvec3 b) {
     precise double xy = a.x * b.y;
     precise double yx = a.y * b.x;
@@ -136,8 +145,8 @@ CLEAVE_FN double edgeSide(dvec3 a, dvec3 b) {
 
 CLEAVE_FN dvec3 shorterOf(dvec3 v, dvec3 w) { return preciseDot(w, w) < preciseDot(v, v) ? w : v; }
 
-// The exact part: hit or miss by sign, then t, u, v. Lengths of |v - origin| up
-// to 1e70 do not overflow.
+// The exact part of the watertight test: signs decide between hit and miss, then t, u and v are computed. Distances
+// |v - origin| up to 1e70 do not overflow.
 CLEAVE_FN Hit resolveTriangle(vec3 origin, vec3 direction, vec3 va, vec3 vb, vec3 vc) {
     Hit h = missedHit();
     dvec3 o = dvec3(origin);
@@ -158,7 +167,7 @@ CLEAVE_FN Hit resolveTriangle(vec3 origin, vec3 direction, vec3 va, vec3 vb, vec
     if (negative == positive) return h;  // outside an edge, or the ray lies in the triangle's plane
     dvec3 n = preciseCross(dvec3(vb) - dvec3(va), dvec3(vc) - dvec3(va));
     precise double slope = preciseDot(n, d);
-    // From the nearest vertex: the error shrinks with the way to it, so that a ray from a vertex hits at t = 0.
+    // Measured from the nearest vertex: the error shrinks with its distance, so a ray from a vertex hits at t = 0.
     precise double height = preciseDot(n, shorterOf(shorterOf(a, b), c));
     precise double sum = wa + wb;
     sum = sum + wc;
@@ -169,15 +178,15 @@ CLEAVE_FN Hit resolveTriangle(vec3 origin, vec3 direction, vec3 va, vec3 vb, vec
     return h;
 }
 
-// The hit of the ray's line with the triangle, or a miss; `prim` is left to the
-// caller. The caller compares t with its interval.
+// Intersects the line of the ray with the triangle. The caller compares t with the interval of the ray, and sets
+// `prim`.
 CLEAVE_FN Hit intersectTriangle(vec3 origin, vec3 direction, Triangle triangle) {
     if (clearlyMisses(origin, direction, triangle.a, triangle.b, triangle.c)) return missedHit();
     return resolveTriangle(origin, direction, triangle.a, triangle.b, triangle.c);
 }
 
-// For comparison: Moeller and Trumbore 1997 in float, edge-inclusive. Rays slip between triangles where rounding puts
-// them outside both, and t is worth no more than float and cancellation leave of it.
+// Moeller and Trumbore's test (1997) in float, edge-inclusive, to compare with. Rays slip between triangles where
+// rounding puts them outside both, and t is only as accurate as float and cancellation allow.
 CLEAVE_FN Hit plainTriangle(vec3 origin, vec3 direction, Triangle triangle) {
     Hit h = missedHit();
     vec3 e1 = triangle.b - triangle.a;
@@ -197,8 +206,7 @@ CLEAVE_FN Hit plainTriangle(vec3 origin, vec3 direction, Triangle triangle) {
     return h;
 }
 
-// The closer hit; ties in t go to the lower primitive number, so that the
-// answer does not depend on the order.
+// Orders hits by t, then by triangle number, so that answers do not depend on the order of tests.
 CLEAVE_FN bool isCloser(Hit a, Hit b) { return a.t < b.t || (a.t == b.t && a.prim < b.prim); }
 
 CLEAVE_END

@@ -94,7 +94,7 @@ TEST(BenchTable, WaysOfRaysSideBySide) {
 TEST(BenchTable, KernelsByTheirShare) {
     BuilderFigures figures = figuresOf(Builder::gpu, 110.0, 3000);
     EXPECT_EQ(kernelLines({figures}), "");
-    figures.built.kernels = {{"bin", 1.0}, {"classify", 3.0}};
+    figures.built.passes = {{"bin", 1.0}, {"classify", 3.0}};
     EXPECT_EQ(kernelLines({figures}), "gpu build by kernel, %: classify 75.0 bin 25.0\n");
 }
 

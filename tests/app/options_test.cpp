@@ -71,7 +71,7 @@ TEST(Options, RenderTakesThemAll) {
     EXPECT_EQ(o.settings.threads, 3u);
     EXPECT_EQ(o.settings.memory, 512u << 20);
     EXPECT_EQ(o.settings.bins, 16u);
-    EXPECT_EQ(o.settings.exactBelow, 8u);
+    EXPECT_EQ(o.settings.exactUpTo, 8u);
     EXPECT_EQ(o.settings.maxDepth, 20u);
     EXPECT_FALSE(o.settings.clip);
     EXPECT_FALSE(o.settings.subsample);

@@ -117,7 +117,7 @@ TEST(BuildMedian, CopiesReferencesAtMostSixteenTimes) {
                 const KdTree tree = build(set, stopAt(1, axes), nullptr);
                 EXPECT_LE(computeStatistics(tree).references, 16u * 400u);
                 EXPECT_GT(tree.nodes.size(), 1u);
-                EXPECT_TRUE(validate(tree, set, depthLimit({}, 400)).ok());
+                EXPECT_TRUE(validate(tree, set, depthLimit(BuildSettings{}, 400)).ok());
             }
     }
 }

@@ -21,7 +21,7 @@ BuildSettings withThreads(uint32_t threads) {
 double costOf(const KdTree& tree) { return computeStatistics(tree).sahCost.value(); }
 
 void expectValid(const KdTree& tree, const TriangleSet& set) {
-    const ValidationReport report = validate(tree, set, depthLimit({}, set.included.size()));
+    const ValidationReport report = validate(tree, set, depthLimit(BuildSettings{}, set.included.size()));
     EXPECT_TRUE(report.ok()) << report.errors.front();
 }
 

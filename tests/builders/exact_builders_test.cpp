@@ -93,7 +93,7 @@ TEST(ExactBuilders, AgreeUnderSettings) {
 TEST(ExactBuilders, AgreeOnALargeSheet) {
     const TriangleSet set = makeTriangleSet(wavySheet(150));
     const KdTree expected = buildExactNLog2N(set, {});
-    EXPECT_TRUE(validate(expected, set, depthLimit({}, set.included.size())).ok());
+    EXPECT_TRUE(validate(expected, set, depthLimit(BuildSettings{}, set.included.size())).ok());
     for (int run = 0; run < 4; ++run)
         for (const uint32_t threads : {1u, 2u, 3u}) {
             BuildSettings settings;

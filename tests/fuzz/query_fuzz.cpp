@@ -49,7 +49,7 @@ void print(const QueryCase& c, const QueryFailure& failure) {
     for (const Triangle& triangle : c.triangles) std::printf("    %s\n", codeOf(triangle).c_str());
     std::printf("  ray %zu:\n    %s\n", failure.ray, codeOf(c.rays[failure.ray]).c_str());
     const BuildSettings& s = c.settings;
-    std::printf("  bins %u, exactBelow %u, maxDepth %u, leafSize %u, clip %d, axes %d\n", s.bins, s.exactBelow,
+    std::printf("  bins %u, exactUpTo %u, maxDepth %u, leafSize %u, clip %d, axes %d\n", s.bins, s.exactUpTo,
                 s.maxDepth, s.leafSize, s.clip, static_cast<int>(s.axes));
 }
 
@@ -72,10 +72,11 @@ bool passes(QueryCheck& check, const Arguments& arguments, uint64_t scene) {
 
 int main(int argc, char** argv) try {
     const Arguments arguments = parse(argc, argv);
-    const ContextPointer context =
-        openDevice(std::getenv("CLEAVE_TEST_DEVICE") ? std::getenv("CLEAVE_TEST_DEVICE") : "");
-    QueryCheck check(*context);
-    std::printf("seed %u, %zu rays per scene, %s\n", arguments.seed, arguments.rays, deviceName(*context).c_str());
+    DeviceOptions options;
+    if (const char* name = std::getenv("CLEAVE_TEST_DEVICE")) options.nameOrIndex = name;
+    Device device(options);
+    QueryCheck check(device);
+    std::printf("seed %u, %zu rays per scene, %s\n", arguments.seed, arguments.rays, device.name().c_str());
     if (arguments.scene) return passes(check, arguments, *arguments.scene) ? 0 : 1;
     for (uint64_t scene = 0; check.counts().pairs < arguments.pairs; ++scene)
         if (!passes(check, arguments, scene)) return 1;

@@ -20,7 +20,7 @@ void expectAllAgree(const std::vector<Triangle>& world, const std::vector<Ray>& 
     const TriangleSet set = makeTriangleSet(world);
     const KdTree trees[] = {buildExact(set, {}), buildBrute(set)};
     for (const KdTree& tree : trees) {
-        const ValidationReport report = validate(tree, set, depthLimit({}, set.included.size()));
+        const ValidationReport report = validate(tree, set, depthLimit(BuildSettings{}, set.included.size()));
         EXPECT_TRUE(report.ok()) << (report.ok() ? "" : report.errors[0]);
     }
     const Reference reference(world, set.included);

@@ -19,7 +19,7 @@ class Validate : public testing::Test {
         world.push_back({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}});  // number 60 is left out
         set = makeTriangleSet(world);
         tree = buildExact(set, {});
-        limit = depthLimit({}, set.included.size());
+        limit = depthLimit(BuildSettings{}, set.included.size());
         ASSERT_TRUE(validate(tree, set, limit).ok());
         while (!isLeaf(tree.nodes[leaf]) || leafCount(tree.nodes[leaf]) < 2) ++leaf;
     }

@@ -5,8 +5,8 @@
 
 #include "builders/builders.h"
 #include "judge/oracle.h"
-#include "pass/gpu_builder.h"
-#include "pass/tracer.h"
+#include "run/gpu_builder.h"
+#include "run/tracer.h"
 #include "scene/camera.h"
 #include "scene/ray_sets.h"
 #include "support/device.h"
@@ -38,19 +38,19 @@ TEST(Check, SceneFilesAgreeWithTheReference) {
         const TriangleSet set = makeTriangleSet(scene.triangles);
         const Reference reference(scene.triangles, set.included);
         const Box bounds = finiteBounds(scene.triangles);
-        const auto triangles = uploadTriangles(device(), set);
+        const DeviceTriangles triangles(device(), scene.triangles);
         const std::vector<Ray> primary = primaryRays(bounds, false, 128);
         std::vector<Hit> first;
         for (const auto& tree : {builder.build(triangles, BuildSettings{}).tree,
-                                 uploadTree(device(), triangles, buildExact(set, BuildSettings{}))}) {
-            const Tracer::Result result = tracer.trace(*tree, primary, Query::closest);
+                                 uploadTree(device(), set, buildExact(set, BuildSettings{}))}) {
+            const Tracer::Result result = tracer.trace(*tree, primary);
             expectAgreement(reference, primary, result, Query::closest);
             const auto points = surfacePoints(scene.triangles, bounds, primary, result.hits);
             if (!points.empty()) {
                 const std::vector<Ray> diffuse = diffuseRays(points, 64);
                 const std::vector<Ray> shadow = shadowRays(points, bounds, 64);
-                expectAgreement(reference, diffuse, tracer.trace(*tree, diffuse, Query::closest), Query::closest);
-                expectAgreement(reference, shadow, tracer.trace(*tree, shadow, Query::any), Query::any);
+                expectAgreement(reference, diffuse, tracer.trace(*tree, diffuse), Query::closest);
+                expectAgreement(reference, shadow, tracer.trace(*tree, shadow, {.query = Query::any}), Query::any);
             }
             // The answer is the minimum over all triangles, whatever the tree.
             if (first.empty()) first = result.hits;
@@ -65,9 +65,9 @@ TEST(Check, FindsWrongHits) {
     const TriangleSet set = makeTriangleSet(scene.triangles);
     const Reference reference(scene.triangles, set.included);
     Tracer tracer(device());
-    const auto tree = uploadTree(device(), uploadTriangles(device(), set), buildExact(set, BuildSettings{}));
+    const auto tree = uploadTree(device(), set, buildExact(set, BuildSettings{}));
     const std::vector<Ray> rays = primaryRays(finiteBounds(scene.triangles), false, 64);
-    std::vector<Hit> hits = tracer.trace(*tree, rays, Query::closest).hits;
+    std::vector<Hit> hits = tracer.trace(*tree, rays).hits;
     EXPECT_EQ(check(reference, rays, hits, Query::closest, rays.size()).mismatches, 0u);
     size_t hit = 0;
     while (hits[hit].prim == kNone) hit++;

@@ -2,10 +2,11 @@
 #include <gtest/gtest.h>
 
 #include "judge/validate.h"
-#include "pass/gpu_builder.h"
+#include "run/gpu_builder.h"
 #include "support/device.h"
 #include "support/scene_files.h"
 #include "support/scenes.h"
+#include "twin/passes.h"
 #include "twin/twin_builder.h"
 
 namespace cleave::test {
@@ -13,16 +14,17 @@ namespace cleave::test {
 namespace {
 
 // Whether this device must give the twin's bits: lavapipe does, others are reported.
-bool mustEqualTwin() { return deviceName(device()).find("llvmpipe") != std::string::npos; }
+bool mustEqualTwin() { return device().name().find("llvmpipe") != std::string::npos; }
 
-GpuBuilder::Result expectTwinsTree(const TriangleSet& set, const BuildSettings& settings) {
+GpuBuilder::Result expectTwinsTree(const std::vector<Triangle>& world, const BuildSettings& settings) {
+    const TriangleSet set = makeTriangleSet(world);
     GpuBuilder builder(device());
-    const auto triangles = uploadTriangles(device(), set);
+    const DeviceTriangles triangles(device(), world);
     const GpuBuilder::Result first = builder.build(triangles, settings);
     const GpuBuilder::Result second = builder.build(triangles, settings);
     const TwinResult twin = buildTwin(set, settings);
-    const KdTree tree = readBack(device(), *first.tree);
-    EXPECT_EQ(treeHash(tree), treeHash(readBack(device(), *second.tree))) << "two runs differ";
+    const KdTree tree = readBack(*first.tree);
+    EXPECT_EQ(treeHash(tree), treeHash(readBack(*second.tree))) << "two runs differ";
     EXPECT_EQ(first.memoryLimited, twin.memoryLimited);
     if (mustEqualTwin())
         EXPECT_EQ(treeHash(tree), treeHash(twin.tree));
@@ -37,15 +39,20 @@ GpuBuilder::Result expectTwinsTree(const TriangleSet& set, const BuildSettings& 
 
 // A timed build is the same build: every kernel shows, and the times add up to something.
 TEST(GpuBuilder, ProfilesEveryKernel) {
-    const TriangleSet set = mixedSet(3000, 5);
-    const auto triangles = uploadTriangles(device(), set);
+    const std::vector<Triangle> world = mixedTriangles(3000, 5);
+    const TriangleSet set = makeTriangleSet(world);
+    const DeviceTriangles triangles(device(), world);
     GpuBuilder builder(device());
     builder.build(triangles, BuildSettings{});
-    const std::vector<KernelTime> kernels = builder.profile(*triangles, BuildSettings{});
-    EXPECT_EQ(kernels.size(), 15u);
-    EXPECT_EQ(kernels.front().name, "make_refs");
-    for (const KernelTime& kernel : kernels) EXPECT_GE(kernel.ms, 0.0) << kernel.name;
-    EXPECT_EQ(treeHash(readBack(device(), *builder.build(triangles, BuildSettings{}).tree)),
+    const std::vector<PassTime> passes = builder.profile(triangles, BuildSettings{});
+    std::vector<std::string> names, wanted{"arguments"};
+    for (const PassTime& pass : passes) names.push_back(pass.name);
+    for (const auto& table : {twin::setupPasses(), twin::levelPasses(), twin::lastPasses()})
+        for (const twin::Pass& pass : table)
+            if (std::find(wanted.begin(), wanted.end(), pass.row.kernel) == wanted.end())
+                wanted.push_back(pass.row.kernel);
+    EXPECT_EQ(names, wanted);
+    EXPECT_EQ(treeHash(readBack(*builder.build(triangles, BuildSettings{}).tree)),
               treeHash(buildTwin(set, BuildSettings{}).tree));
 }
 
@@ -53,19 +60,19 @@ TEST(GpuBuilder, EqualsTwinOnMadeScenes) {
     for (uint32_t n : kSizes) {
         SCOPED_TRACE("triangles " + std::to_string(n));
         BuildSettings settings;
-        expectTwinsTree(mixedSet(n, n + 5), settings);
+        expectTwinsTree(mixedTriangles(n, n + 5), settings);
         settings.clip = false;
         settings.bins = 7;
-        settings.exactBelow = 3;
+        settings.exactUpTo = 3;
         settings.maxDepth = 9;
-        expectTwinsTree(mixedSet(n, n + 6), settings);
+        expectTwinsTree(mixedTriangles(n, n + 6), settings);
     }
 }
 
 TEST(GpuBuilder, EqualsTwinOnSceneFiles) {
     for (const auto& file : sceneFiles(50000)) {
         SCOPED_TRACE(file.string());
-        expectTwinsTree(makeTriangleSet(loadGltf(file).triangles), BuildSettings{});
+        expectTwinsTree(loadGltf(file).triangles, BuildSettings{});
     }
 }
 
@@ -76,9 +83,8 @@ TEST(GpuBuilder, TakesWhatHasNoExtent) {
     for (const std::vector<Triangle>& triangles :
          {std::vector<Triangle>(200, flat), std::vector<Triangle>(5, point), std::vector<Triangle>{broken},
           std::vector<Triangle>{flat, broken, point, flat}}) {
-        const TriangleSet set = makeTriangleSet(triangles);
-        const GpuBuilder::Result result = expectTwinsTree(set, BuildSettings{});
-        EXPECT_GE(readBack(device(), *result.tree).leafTriangles.size(), set.included.size());
+        const GpuBuilder::Result result = expectTwinsTree(triangles, BuildSettings{});
+        EXPECT_GE(readBack(*result.tree).leafTriangles.size(), makeTriangleSet(triangles).included.size());
     }
 }
 
@@ -96,31 +102,31 @@ std::vector<Triangle> needles(uint32_t n) {
 }
 
 TEST(GpuBuilder, BuildsOnceMoreWhereRoomWasShort) {
-    const GpuBuilder::Result result = expectTwinsTree(makeTriangleSet(needles(2500)), BuildSettings{});
+    const GpuBuilder::Result result = expectTwinsTree(needles(2500), BuildSettings{});
     EXPECT_GT(result.attempts, 1u);
     EXPECT_FALSE(result.memoryLimited);
 }
 
 TEST(GpuBuilder, FinishesInLeavesWhereMemoryIsShort) {
-    const TriangleSet set = makeTriangleSet(needles(6000));
+    const std::vector<Triangle> world = needles(6000);
     for (const uint64_t bytes : {uint64_t(3) << 20, uint64_t(5) << 20, uint64_t(9) << 20}) {
         SCOPED_TRACE("bytes " + std::to_string(bytes));
         BuildSettings settings;
         settings.memory = bytes;
-        const GpuBuilder::Result result = expectTwinsTree(set, settings);
+        const GpuBuilder::Result result = expectTwinsTree(world, settings);
         EXPECT_TRUE(result.memoryLimited);
         EXPECT_LE(result.peakBytes, bytes + bytes / 4);  // the finished tree lies beside the scratch for a moment
     }
     BuildSettings tooLittle;
     tooLittle.memory = 1000;
     GpuBuilder builder(device());
-    EXPECT_THROW(builder.build(uploadTriangles(device(), set), tooLittle), Error);
+    EXPECT_THROW(builder.build(DeviceTriangles(device(), world), tooLittle), Error);
 }
 
 TEST(GpuBuilder, MovesTreesBetweenHostAndDevice) {
     const TriangleSet set = mixedSet(300, 1);
     const KdTree tree = buildTwin(set, BuildSettings{}).tree;
-    const KdTree back = readBack(device(), *uploadTree(device(), uploadTriangles(device(), set), tree));
+    const KdTree back = readBack(*uploadTree(device(), set, tree));
     EXPECT_EQ(treeHash(back), treeHash(tree));
     EXPECT_EQ(back.exponent, tree.exponent);
     EXPECT_EQ(back.bounds.lo, tree.bounds.lo);

@@ -13,6 +13,15 @@ using glm::dvec3;
 
 constexpr double kRightAngle = std::numbers::pi / 2.0;
 
+// One ray per pixel, through its centre, row by row.
+std::vector<Ray> cameraRays(const Camera& camera, uint32_t width, uint32_t height) {
+    const ImageCamera image = imageCamera(camera, width, height, infinity());
+    std::vector<Ray> rays;
+    for (uint32_t y = 0; y < height; ++y)
+        for (uint32_t x = 0; x < width; ++x) rays.push_back(imageRay(image, x + 0.5, y + 0.5));
+    return rays;
+}
+
 void expectNear(const vec3& v, const vec3& expected) { EXPECT_NEAR(glm::distance(v, expected), 0.0f, 1e-6f); }
 
 TEST(Camera, castsRaysThroughPixelCentres) {

@@ -55,7 +55,7 @@ void main() {
     r.steps.restarts = 63u;
     r.steps.hitLeaf = 64u;
     r.counters.invalidRays = 65u;
-    r.counters.cappedRays = 66u;
+    r.counters.unfinishedRays = 66u;
     r.state.nodesUsed = 67u;
     r.state.leafRefsUsed = 68u;
     r.state.nodeBase = 69u;

@@ -1,19 +1,28 @@
-#include "shader/layout.h"
+#include "layout.h"
 
 #include <gtest/gtest.h>
 
-#include "gpu/recorder.h"
+#include "gpu/buffer.h"
+#include "gpu/commands.h"
+#include "record/recorder.h"
 #include "support/device.h"
+
+namespace cleave {
+std::span<const Spirv> testKernels() noexcept;
+}
 
 namespace cleave::test {
 
 TEST(Layout, HostFindsWhatTheShaderWrote) {
-    const Kernel kernel(device(), "layout", sizeof(uint64_t));
+    const PipelineHome home = pipelineHome();
+    Kernel kernel;
+    ASSERT_EQ(kernel.create(home, findSpirv(testKernels(), "layout"), sizeof(uint64_t), {}), VK_SUCCESS);
     const Buffer buffer(device(), sizeof(LayoutRecord));
-    Recorder recorder(device());
-    recorder.fillZero(buffer);
-    recorder.dispatch(kernel, buffer.address(), 1);
-    recorder.submit();
+    Commands commands(device());
+    commands.begin();
+    commands.fillZero(buffer.handle());
+    Recorder(*home.functions, commands.handle()).dispatch(kernel, buffer.address(), 1);
+    commands.run();
     const LayoutRecord r = buffer.download<LayoutRecord>(1)[0];
     EXPECT_EQ(r.box.lo, glm::vec3(1, 2, 3));
     EXPECT_EQ(r.box.hi, glm::vec3(4, 5, 6));
@@ -58,7 +67,7 @@ TEST(Layout, HostFindsWhatTheShaderWrote) {
     EXPECT_EQ(r.steps.restarts, 63u);
     EXPECT_EQ(r.steps.hitLeaf, 64u);
     EXPECT_EQ(r.counters.invalidRays, 65u);
-    EXPECT_EQ(r.counters.cappedRays, 66u);
+    EXPECT_EQ(r.counters.unfinishedRays, 66u);
     EXPECT_EQ(r.state.nodesUsed, 67u);
     EXPECT_EQ(r.state.leafRefsUsed, 68u);
     EXPECT_EQ(r.state.nodeBase, 69u);

@@ -1,22 +1,24 @@
 #include <gtest/gtest.h>
 
 #include "support/picture.h"
-#include "twin/render.h"
 
 namespace cleave::test {
 
 TEST(Shade, EqualsTwinAtEverySizeInEveryView) {
-    for (uint32_t n : kSizes) {
-        PictureInput in(n, n + 1);
-        for (uint32_t view : {kViewShaded, kViewNormals, kViewDepth, kViewSteps, kViewLeaves}) {
-            SCOPED_TRACE("pixels " + std::to_string(n) + ", view " + std::to_string(view));
-            const std::vector<uint32_t> device = in.pixelsOnDevice(view);
-            const std::vector<uint32_t> twin = twin::shade(in.arrays(), view, in.low, in.high);
-            ASSERT_EQ(device.size(), twin.size());
-            for (size_t i = 0; i < n; i++)
+    uint32_t seed = 1;
+    for (const PictureSize& size : kPictureSizes) {
+        for (const View view : {View::shaded, View::normals, View::depth, View::steps, View::leaves}) {
+            SCOPED_TRACE(std::to_string(size.width) + " x " + std::to_string(size.height) + ", view " +
+                         std::to_string(static_cast<uint32_t>(view)));
+            PicturePair pair(size.width, size.height, view, seed++);
+            pair.arrays.state.lowBits = ~orderedBits(0.5f);
+            pair.arrays.state.highBits = orderedBits(40.0f);
+            const std::vector<uint32_t> device = pair.onDevice(PictureKernels::shade).pixels;
+            twin::shade(pair.arrays, 0);
+            for (size_t i = 0; i < device.size(); i++)
                 for (uint32_t shift = 0; shift < 32; shift += 8) {
                     const int a = static_cast<int>(device[i] >> shift & 255);
-                    const int b = static_cast<int>(twin[i] >> shift & 255);
+                    const int b = static_cast<int>(pair.arrays.pixels[i] >> shift & 255);
                     ASSERT_LE(std::abs(a - b), 1) << "pixel " << i << ", channel " << shift / 8;  // rounding of pow
                 }
         }

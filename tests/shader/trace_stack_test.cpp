@@ -27,11 +27,11 @@ TEST(TraceStack, HoldsAChildOfEveryDepth) {
 // Both take the same way; the one without a stack walks parts of it again.
 TEST(TraceStack, VisitsTheSameLeavesAndNoNodeTwice) {
     const TriangleSet set = mixedSet(2000, 3);
-    const auto tree = uploadTree(device(), uploadTriangles(device(), set), buildExact(set, BuildSettings{}));
+    const auto tree = uploadTree(device(), set, buildExact(set, BuildSettings{}));
     const std::vector<Ray> rays = mixedRays(2000, 5);
     Tracer tracer(device());
-    const auto stack = tracer.trace(*tree, rays, Query::closest, {.traversal = Traversal::stack, .countSteps = true});
-    const auto restart = tracer.trace(*tree, rays, Query::closest, {.countSteps = true});
+    const auto stack = tracer.trace(*tree, rays, {.traversal = Traversal::stack, .countSteps = true});
+    const auto restart = tracer.trace(*tree, rays, {.countSteps = true});
     uint64_t restarts = 0, again = 0;
     for (size_t i = 0; i < rays.size(); i++) {
         ASSERT_EQ(stack.steps[i].leaves, restart.steps[i].leaves) << "ray " << i;

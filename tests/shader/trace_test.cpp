@@ -5,7 +5,7 @@
 
 #include "builders/builders.h"
 #include "judge/oracle.h"
-#include "pass/tracer.h"
+#include "run/tracer.h"
 #include "support/device.h"
 #include "support/scenes.h"
 #include "support/trace_cases.h"
@@ -34,8 +34,8 @@ TEST(Trace, TakesAnyNumberOfRays) {
         SCOPED_TRACE("rays " + std::to_string(n));
         Tracer tracer(device());
         const std::vector<Ray> rays = mixedRays(n, n);
-        const auto onDevice = uploadTree(device(), uploadTriangles(device(), set), tree);
-        const Tracer::Result result = tracer.trace(*onDevice, rays, Query::closest);
+        const auto onDevice = uploadTree(device(), set, tree);
+        const Tracer::Result result = tracer.trace(*onDevice, rays);
         ASSERT_EQ(result.hits.size(), n);
         for (size_t i = 0; i < n; i += 1 + n / 1000) {
             const Hit want = bruteForce(set, rays[i], Query::closest);

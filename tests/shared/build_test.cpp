@@ -135,16 +135,30 @@ TEST(Build, noLevelHasMoreChunksThanTheCapacity) {
 }
 
 TEST(Build, dispatchesCoverTheCount) {
-    for (const uint groups : {0u, 1u, 65534u, 65535u, 65536u, 131070u, 131071u, 1u << 26}) {
-        const DispatchSize d = dispatchSize(groups);
-        EXPECT_LE(d.x, 65535u);
-        EXPECT_LE(d.y, 65535u);
-        EXPECT_EQ(d.z, 1u);
-        const uint64_t covered = uint64_t{d.x} * d.y;
-        EXPECT_GE(covered, groups);
-        EXPECT_LT(covered, uint64_t{groups} + 65535u) << "no idle row";
-    }
-    EXPECT_EQ(dispatchSize(0u).x * dispatchSize(0u).y, 0u) << "nothing to do: no workgroup";
+    for (const uint row : {3u, kLongestRow})
+        for (const uint groups : {0u, 1u, 65534u, 65535u, 65536u, 131070u, 131071u, 1u << 26}) {
+            const DispatchSize d = dispatchSize(groups, row);
+            EXPECT_LE(d.x, row);
+            EXPECT_LE(d.y, row == kLongestRow ? 65535u : 1u << 26);
+            EXPECT_EQ(d.z, 1u);
+            const uint64_t covered = uint64_t{d.x} * d.y;
+            EXPECT_GE(covered, groups);
+            EXPECT_LT(covered, uint64_t{groups} + row) << "no idle row";
+        }
+    EXPECT_EQ(dispatchSize(0u, 65535u).x * dispatchSize(0u, 65535u).y, 0u) << "nothing to do: no workgroup";
+}
+
+// The thresholds are exact; the formula in double is right but for a rounding at n^13 = 2^(10 k - 5), which it meets,
+// too.
+TEST(Build, depthLimitIsTheFieldsFormula) {
+    const auto formula = [](uint n) { return static_cast<uint>(std::lround(8.0 + 1.3 * std::log2(n))); };
+    for (uint n = 1; n < 100'000; n++) ASSERT_EQ(depthLimit(0u, n), formula(n)) << n;
+    for (uint k = 17; k < 30; k++)
+        for (const uint n : {(1u << k) - 1, 1u << k, (1u << k) + 12345, 3u << (k - 1)})
+            EXPECT_EQ(depthLimit(0u, n), formula(n)) << n;
+    EXPECT_EQ(depthLimit(0u, 0u), 8u);
+    EXPECT_EQ(depthLimit(5u, 1000u), 5u);
+    EXPECT_EQ(depthLimit(99u, 1000u), kMaxDepth);
 }
 
 const Box kCell{vec3(0), vec3(16, 8, 4)};

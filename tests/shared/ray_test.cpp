@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <random>
 
@@ -153,6 +154,25 @@ TEST(Ray, keepsEndlessRaysAndMisses) {
 }
 
 // Of a triangle whose t is beyond the largest float and a nearer one, an any-hit must be the nearer.
+// A hit that is kept in world units while a ray waits has the same bits when the ray goes on.
+TEST(Ray, hitsReturnFromWorldUnitsUnchanged) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<float> mantissa(1.0f, 2.0f);
+    for (int i = 0; i < 100000; i++) {
+        const int exponent = static_cast<int>(random() % 200) - 100;
+        const int tExponent = static_cast<int>(random() % 50) - 25;
+        const Hit hit{std::ldexp(mantissa(random), exponent), i % 2 == 0 ? 7u : kNone - 1u, 0.25f, 0.5f};
+        const Hit world = worldHit(hit, tExponent);
+        ASSERT_EQ(world.t, std::ldexp(hit.t, tExponent));
+        const Hit back = scaledHit(world, tExponent);
+        ASSERT_EQ(std::memcmp(&hit, &back, sizeof(Hit)), 0) << exponent << " " << tExponent;
+    }
+    EXPECT_EQ(scaledHit(missedHit(), 40).t, infinity());
+    EXPECT_EQ(scaledHit(missedHit(), -40).t, infinity());
+    // Below the smallest normal number in the world t is lost: traversal must not wait then (lib/restart.glsl).
+    EXPECT_EQ(scaledHit(worldHit(Hit{1.0e-30f, 0u, 0.0f, 0.0f}, -40), -40).t, 0.0f);
+}
+
 TEST(Ray, anyHitHasAFiniteT) {
     const std::vector<Triangle> triangles = {{{0, 0, 9}, {1, 0, 9}, {0, 1, 9}}, {{0, 0, 1}, {1, 0, 1}, {0, 1, 1}}};
     const TriangleSet set = makeTriangleSet(triangles);

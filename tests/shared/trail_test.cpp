@@ -115,5 +115,18 @@ TEST(Trail, climbsUpACaterpillar) {
     }
 }
 
+// What marks a finished ray is in no trail on the way, whichever bits a traversal may set.
+TEST(Trail, tellsFinishedRaysFromOthers) {
+    EXPECT_TRUE(isFinished(finishedTrail()));
+    EXPECT_FALSE(isFinished(emptyTrail()));
+    EXPECT_FALSE(isFinished(trailOf(Bits(kMaxDepth, true)))) << "one child to visit at all depths of inner nodes";
+    for (uint open = 0; open < kMaxDepth; open++) {
+        Bits bits(kMaxDepth, true);
+        bits[open] = false;
+        for (uint depth = open + 1; depth <= kMaxDepth; depth++)
+            EXPECT_FALSE(isFinished(advanced(trailOf(bits), depth))) << open << " " << depth;
+    }
+}
+
 }  // namespace
 }  // namespace cleave

@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "builders/builder_names.h"
-#include "pass/gpu_builder.h"
+#include "run/gpu_builder.h"
 #include "stability/cases.h"
 #include "stability/closed_meshes.h"
 #include "support/device.h"
@@ -26,8 +26,7 @@ Tracer& tracer() {
 
 TraversalUnderTest onDevice(const char* name, Traversal traversal) {
     return {name, [traversal](const TreeUnderTest& tree, std::span<const Ray> rays) {
-                return tracer().trace(*tree.onDevice, rays, Query::closest,
-                                      {.traversal = traversal, .countSteps = true});
+                return tracer().trace(*tree.onDevice, rays, {.traversal = traversal, .countSteps = true});
             }};
 }
 
@@ -43,13 +42,12 @@ std::vector<Cell> sweep(const StabilityCase& made) {
     const std::vector<Triangle> world = made.make(random, true);
     const TriangleSet set = makeTriangleSet(world);
     SceneSweep scene(std::string(made.name), world, set, kSettings);
-    const auto triangles = uploadTriangles(test::device(), set);
     const std::vector<TraversalUnderTest> traversals{onDevice("restart", Traversal::restart),
                                                      onDevice("stack", Traversal::stack), hostStack(set, 1'000'000)};
     std::vector<Cell> cells;
     for (const char* builder : {"exact", "spatial-median"}) {
         const std::shared_ptr<TreeUnderTest> tree = hostTree(builder, set);
-        tree->onDevice = uploadTree(test::device(), triangles, tree->tree);
+        tree->onDevice = uploadTree(test::device(), set, tree->tree);
         const std::vector<Cell> more = scene.run(tree, traversals);
         cells.insert(cells.end(), more.begin(), more.end());
     }
@@ -154,10 +152,9 @@ TEST(Leaks, AMillionRaysStayInside) {
     for (const ClosedMesh& mesh : meshes) {
         SCOPED_TRACE(mesh.name);
         const TriangleSet set = makeTriangleSet(mesh.triangles);
-        const auto tree =
-            uploadTree(test::device(), uploadTriangles(test::device(), set), cpuBuilder("exact").build(set, {}));
+        const auto tree = uploadTree(test::device(), set, cpuBuilder("exact").build(set, {}));
         const std::vector<Ray> rays = leakRays(mesh, 1'000'000 / meshes.size(), kSeed);
-        countLeaks(leaks, rays, tracer().trace(*tree, rays, Query::closest).hits);
+        countLeaks(leaks, rays, tracer().trace(*tree, rays).hits);
         EXPECT_EQ(leaks.leaks, 0u);
     }
     EXPECT_EQ(leaks.rays, 1'000'000u);

@@ -5,6 +5,9 @@
 #include <cstring>
 #include <sstream>
 
+#include "core/context.h"
+#include "gpu/commands.h"
+#include "run/context_of.h"
 #include "support/device.h"
 #include "support/scenes.h"
 
@@ -12,38 +15,26 @@ namespace cleave::test {
 
 namespace {
 
-struct Pass {
-    const char* name;
-    void (BuildPasses::*onDevice)(Recorder&, const BuildBuffers&, uint32_t) const;
-    void (*onTwin)(BuildArrays&, uint32_t);
-};
+const Context& buildContext() {
+    static std::unique_ptr<Context> context;
+    if (!context) {
+        context = contextOf(device(), {}, true);
+        beforeClose([] { context.reset(); });
+    }
+    return *context;
+}
 
-// In the order of a level. The scans are called by what they scan.
-const Pass kPasses[] = {
-    {"bounds", &BuildPasses::bounds, twin::bounds},
-    {"bin", &BuildPasses::bin, twin::bin},
-    {"choose_split", &BuildPasses::chooseSplit, twin::chooseSplit},
-    {"nearest", &BuildPasses::nearest, twin::nearest},
-    {"snap", &BuildPasses::snap, twin::snap},
-    {"exact_split", &BuildPasses::exactSplit, twin::exactSplit},
-    {"classify", &BuildPasses::classify, twin::classify},
-    {"scan", nullptr, [](BuildArrays& a, uint32_t depth) { twin::scan(a, depth, false); }},
-    {"offsets", &BuildPasses::offsets, twin::offsets},
-    {"count_children", &BuildPasses::countChildren, twin::countChildren},
-    {"scan", nullptr, [](BuildArrays& a, uint32_t depth) { twin::scan(a, depth, true); }},
-    {"next_level", &BuildPasses::nextLevel, twin::nextLevel},
-    {"emit_nodes", &BuildPasses::emitNodes, twin::emitNodes},
-    {"partition", &BuildPasses::partition, twin::partition},
-};
-
+// Compares by bytes, and shows both sides by words.
 template <class T>
-std::string difference(const char* name, const std::vector<T>& twin, const Buffer& buffer) {
-    const std::vector<T> device = buffer.download<T>(twin.size());
+std::string differenceOf(const char* name, std::span<const T> twin, const Buffer& buffer, uint64_t offset,
+                         size_t itemBytes = sizeof(T)) {
+    std::vector<T> device(twin.size());
+    buffer.read(offset, device.data(), twin.size_bytes());
     for (size_t i = 0; i < twin.size(); i++) {
-        if (std::memcmp(&twin[i], &device[i], sizeof(T)) == 0) continue;
+        if (std::memcmp(&twin[i], &device[i], itemBytes) == 0) continue;
         std::ostringstream text;
         text << name << "[" << i << "] differs; words of twin and device:" << std::hex;
-        for (size_t w = 0; w < sizeof(T) / 4; w++) {
+        for (size_t w = 0; w < itemBytes / 4; w++) {
             uint32_t a, b;
             std::memcpy(&a, reinterpret_cast<const char*>(&twin[i]) + 4 * w, 4);
             std::memcpy(&b, reinterpret_cast<const char*>(&device[i]) + 4 * w, 4);
@@ -59,107 +50,126 @@ bool isChecked(uint32_t depth, uint32_t maxDepth, uint32_t triangleCount) {
     return depth < 2 || depth == maxDepth / 3 || depth == maxDepth / 2 || depth >= maxDepth - 1;
 }
 
-}  // namespace
-
-const BuildPasses& buildPasses() {
-    static std::unique_ptr<BuildPasses> passes;
-    if (!passes) {
-        passes = std::make_unique<BuildPasses>(device());
-        beforeClose([] { passes.reset(); });
+// Mixed triangles with some among them that stay out of a tree: not finite, or without area.
+std::vector<Triangle> worldOf(uint32_t count, uint32_t seed) {
+    std::vector<Triangle> world = mixedTriangles(count, seed);
+    for (uint32_t i = 0; i < count; i++) {
+        Triangle& t = world[i];
+        if (i % 97 == 3) t.b.y = NAN;
+        if (i % 97 == 5) t.c = t.a;
+        if (i % 97 == 7) t.a.z = INFINITY;
+        if (i % 97 == 9) t.c = t.a + (t.b - t.a) * 0.5f;  // on a line, or nearly so
+        if (seed % 2 == 0)
+            for (vec3* v : {&t.a, &t.b, &t.c}) *v = *v * 1000.0f;  // the scale is not 0
     }
-    return *passes;
+    return world;
 }
 
-BuildPair::BuildPair(const TriangleSet& set, const BuildSettings& settings)
-    : arrays(makeArrays(set, settings, firstCapacity(set.included.size()))),
-      buffers(device(), arrays.capacity, settings.exactBelow),
-      passes(buildPasses()),
-      triangles_(uploadTriangles(device(), set)) {
-    buffers.bind(*triangles_, settings);
+BuildInfo infoOf(uint32_t seed) {
+    BuildInfo info;
+    info.clip = seed % 4 != 3;
+    info.subsample = seed % 3 != 0;
+    info.bins = seed % 3 == 2 ? 13 : kBins;
+    info.exactUpTo = seed % 5 == 4 ? 7 : seed % 2 == 1 ? 32 : kExactUpTo;
+    return info;
+}
+
+}  // namespace
+
+BuildPair::BuildPair(const std::vector<Triangle>& world, const std::vector<uint32_t>& list, BuildInfo info)
+    : arrays(makeArrays(world, list, info)),
+      world_(uploaded(device(), std::span<const Triangle>(world))),
+      list_(uploaded(device(), std::span<const uint32_t>(list))) {
+    Geometry geometry;
+    geometry.vertices = world_.address();
+    geometry.triangleCount = static_cast<uint32_t>(world.size());
+    geometry.vertexCount = 3 * geometry.triangleCount;
+    info.geometries = &geometry;
+    info.geometryCount = 1;
+    if (!list.empty()) {
+        info.list = list_.address();
+        info.listCount = static_cast<uint32_t>(list.size());
+    }
+    const BuildSizes sizes = buildSizes(info);
+    scratch_.reserve(device(), {sizes.scratch, sizes.scratchCount});
+    tree_ = Buffer(device(), sizes.tree);
+    at_ = scratchLayout(countsOf(info), 0);
+    args_ = buildArgs(info, tree_.address(), scratch_.ranges(), kLongestRow);
+    arrays.geometries[0] = geometryData(geometry, 0);
 }
 
 void BuildPair::upload() {
-    for (int parity = 0; parity < 2; parity++) {
-        buffers.refs[parity].upload(std::span<const PrimRef>(arrays.refs[parity]));
-        buffers.nodes[parity].upload(std::span<const BuildNode>(arrays.nodes[parity]));
-    }
-    buffers.chunks.upload(std::span<const Chunk>(arrays.chunks));
-    buffers.bounds.upload(std::span<const uint32_t>(arrays.bounds));
-    buffers.bins.upload(std::span<const uint32_t>(arrays.bins));
-    buffers.nearest.upload(std::span<const NearestFaces>(arrays.nearest));
-    buffers.smallNodes.upload(std::span<const uint32_t>(arrays.smallNodes));
-    buffers.sides.upload(std::span<const uint32_t>(arrays.sides));
-    buffers.clipped.upload(std::span<const Box>(arrays.clipped));
-    buffers.offsets.upload(std::span<const glm::uvec2>(arrays.offsets));
-    buffers.blockSums.upload(std::span<const glm::uvec4>(arrays.blockSums));
-    buffers.nodeSums.upload(std::span<const glm::uvec4>(arrays.nodeSums));
-    buffers.tree.upload(std::span<const KdNode>(arrays.tree));
-    buffers.leafRefs.upload(std::span<const uint32_t>(arrays.leafRefs));
-    buffers.state.upload(std::span<const BuildState>(&arrays.state, 1));
+    const auto put = [&](uint64_t address, const auto& items) {
+        const Buffer& scratch = scratch_.buffer(0);
+        const bool inTree = address >= tree_.address() && address < tree_.address() + tree_.size();
+        const Buffer& buffer = inTree ? tree_ : scratch;
+        const_cast<Buffer&>(buffer).write(address - buffer.address(), items.data(), items.size() * sizeof(items[0]));
+    };
+#define CLEAVE_UPLOAD(name, Element, Array, count) \
+    if (!arrays.name.empty()) put(args_.name, arrays.name);
+    CLEAVE_SCRATCH_ARRAYS(CLEAVE_UPLOAD)
+    CLEAVE_TREE_ARRAYS(CLEAVE_UPLOAD)
+#undef CLEAVE_UPLOAD
+    put(args_.state, std::span(&arrays.state, 1));
+    put(args_.header, std::span(&arrays.header, 1));
+    put(args_.state - at_.state.offset + at_.args.offset, std::span(&args_, 1));
 }
 
-std::string BuildPair::differenceAfter(const std::function<void(Recorder&)>& onDevice,
-                                       const std::function<void()>& onTwin) {
-    upload();
-    Recorder recorder(device());
-    onDevice(recorder);
-    recorder.submit();
-    onTwin();
+std::string BuildPair::difference() const {
     std::string found;
-    auto compare = [&](const char* name, const auto& twin, const Buffer& buffer) {
-        if (found.empty()) found = difference(name, twin, buffer);
+    const auto compare = [&](const char* name, const auto& twin, uint64_t address, size_t bytes) {
+        if (!found.empty() || twin.empty()) return;
+        const bool inTree = address >= tree_.address() && address < tree_.address() + tree_.size();
+        const Buffer& buffer = inTree ? tree_ : scratch_.buffer(0);
+        found = differenceOf(name, std::span(twin.data(), twin.size()), buffer, address - buffer.address(), bytes);
     };
-    compare("refs0", arrays.refs[0], buffers.refs[0]);
-    compare("refs1", arrays.refs[1], buffers.refs[1]);
-    compare("nodes0", arrays.nodes[0], buffers.nodes[0]);
-    compare("nodes1", arrays.nodes[1], buffers.nodes[1]);
-    compare("chunks", arrays.chunks, buffers.chunks);
-    compare("bounds", arrays.bounds, buffers.bounds);
-    compare("bins", arrays.bins, buffers.bins);
-    compare("nearest", arrays.nearest, buffers.nearest);
-    compare("smallNodes", arrays.smallNodes, buffers.smallNodes);
-    compare("sides", arrays.sides, buffers.sides);
-    compare("clipped", arrays.clipped, buffers.clipped);
-    compare("offsets", arrays.offsets, buffers.offsets);
-    compare("blockSums", arrays.blockSums, buffers.blockSums);
-    compare("nodeSums", arrays.nodeSums, buffers.nodeSums);
-    compare("tree", arrays.tree, buffers.tree);
-    compare("leafRefs", arrays.leafRefs, buffers.leafRefs);
-    compare("state", std::vector<BuildState>{arrays.state}, buffers.state);
+#define CLEAVE_COMPARE(name, Element, Array, count) compare(#name, arrays.name, args_.name, sizeof(Element));
+    CLEAVE_SCRATCH_ARRAYS(CLEAVE_COMPARE)
+    CLEAVE_TREE_ARRAYS(CLEAVE_COMPARE)
+#undef CLEAVE_COMPARE
+    compare("state", std::span(&arrays.state, 1), args_.state, sizeof(BuildState));
+    compare("header", std::span(&arrays.header, 1), args_.header, offsetof(TreeData, triangles));  // no addresses
     return found;
+}
+
+std::string BuildPair::differenceAfter(const twin::Pass& pass, uint32_t depth) {
+    upload();
+    const Context::State& context = buildContext().state();
+    Commands commands(device());
+    commands.begin();
+    Recorder recorder = context.recorder(commands.handle());
+    const BuildPush push{args_.state - at_.state.offset + at_.args.offset, depth, pass.row.scans};
+    const Level once = levelOf(arrays.args.triangleCount, 1, 0, 0, kLongestRow);
+    bool isLevelPass = false;
+    for (const twin::Pass& p : twin::levelPasses()) isLevelPass = isLevelPass || p.run == pass.run;
+    DispatchSize size{};
+    std::memcpy(&size,
+                reinterpret_cast<const char*>(isLevelPass ? &arrays.state.level[depth] : &once) + pass.row.groups,
+                sizeof(size));
+    recorder.dispatch(context.kernelOf(pass.row), push, size);
+    commands.run();
+    pass.run(arrays, depth);
+    return difference();
 }
 
 void expectPassEqualsTwin(const std::string& name, uint32_t triangleCount, uint32_t seed) {
     SCOPED_TRACE("triangles " + std::to_string(triangleCount) + ", seed " + std::to_string(seed));
-    const TriangleSet set = mixedSet(triangleCount, seed);
-    BuildSettings settings;
-    settings.clip = seed % 4 != 3;
-    settings.subsample = seed % 3 != 0;
-    settings.bins = seed % 3 == 2 ? 13 : kBins;
-    settings.exactBelow = seed % 5 == 4 ? 7 : seed % 2 == 1 ? 32 : kExactBelow;
-    BuildPair pair(set, settings);
-    twin::makeRefs(pair.arrays);
-    twin::begin(pair.arrays);
-    const uint32_t maxDepth = pair.arrays.maxDepth;
-    for (uint32_t depth = 0; depth <= maxDepth && pair.arrays.state.level[depth].nodeCount > 0; depth++) {
-        for (size_t p = 0; p < std::size(kPasses); p++) {
-            const Pass& pass = kPasses[p];
-            auto onTwin = [&] { pass.onTwin(pair.arrays, depth); };
-            if (name != pass.name || !isChecked(depth, maxDepth, triangleCount)) {
-                onTwin();
-                continue;
-            }
-            const bool scansNodes = p > 7;
-            auto onDevice = [&](Recorder& r) {
-                if (pass.onDevice)
-                    (pair.passes.*pass.onDevice)(r, pair.buffers, depth);
-                else
-                    pair.passes.scan(r, pair.buffers, depth, scansNodes);
-            };
-            EXPECT_EQ(pair.differenceAfter(onDevice, onTwin), "") << name << " at depth " << depth;
+    std::vector<uint32_t> list;
+    for (uint32_t i = 0; seed % 3 == 1 && i < triangleCount; i++)
+        if (i % 3 != 1) list.push_back(i);
+    BuildPair pair(worldOf(triangleCount, seed), list, infoOf(seed));
+    const auto run = [&](const twin::Pass& pass, uint32_t depth, bool checked) {
+        if (name != pass.row.kernel || !checked) return pass.run(pair.arrays, depth);
+        EXPECT_EQ(pair.differenceAfter(pass, depth), "") << name << " at depth " << depth;
+    };
+    for (const twin::Pass& pass : twin::setupPasses()) run(pass, 0, true);
+    const BuildState& state = pair.arrays.state;
+    for (uint32_t depth = 0; depth <= state.maxDepth && state.level[depth].nodeCount > 0; depth++)
+        for (const twin::Pass& pass : twin::levelPasses()) {
+            run(pass, depth, isChecked(depth, state.maxDepth, triangleCount));
             if (testing::Test::HasFailure()) return;
         }
-    }
+    for (const twin::Pass& pass : twin::lastPasses()) run(pass, 0, true);
 }
 
 }  // namespace cleave::test

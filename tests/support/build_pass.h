@@ -1,10 +1,9 @@
 // Runs a build on the twin up to a pass, hands its arrays to the device, runs that pass on both, compares everything.
 #pragma once
 
-#include <functional>
 #include <string>
 
-#include "pass/build_passes.h"
+#include "run/ranges.h"
 #include "twin/passes.h"
 
 namespace cleave::test {
@@ -12,25 +11,28 @@ namespace cleave::test {
 // The arrays of a build on both sides, and what differs.
 class BuildPair {
   public:
-    BuildPair(const TriangleSet& set, const BuildSettings& settings);
+    // Over the triangles of `list`, or all if that is empty.
+    BuildPair(const std::vector<Triangle>& world, const std::vector<uint32_t>& list, BuildInfo info);
 
     BuildArrays arrays;  // the twin's
-    BuildBuffers buffers;
-    const BuildPasses& passes;
 
-    void upload();
     // Runs a pass on both sides; the name of the first array that differs and where, or "" if none does.
-    std::string differenceAfter(const std::function<void(Recorder&)>& onDevice, const std::function<void()>& onTwin);
+    std::string differenceAfter(const twin::Pass& pass, uint32_t depth);
 
   private:
-    std::shared_ptr<DeviceTriangles> triangles_;
+    Buffer world_, list_;
+    RangeBuffers scratch_;
+    Buffer tree_;
+    ScratchLayout at_;
+    BuildArgs args_;  // the device's, with its addresses
+
+    void upload();
+    std::string difference() const;
 };
 
-// The device's passes, compiled once.
-const BuildPasses& buildPasses();
-
-// Builds over kSizes and with several settings, and checks the pass called `name` (the stem of its files) on the first
-// levels, on some in the middle and on the last. Uses EXPECT.
+// Builds with several settings, and checks the pass called `name` (the stem of its files) where it runs: once, or on
+// the first levels, on some in the middle and on the last. Among the triangles are some that stay out of the tree.
+// EXPECTs.
 void expectPassEqualsTwin(const std::string& name, uint32_t triangleCount, uint32_t seed);
 
 }  // namespace cleave::test

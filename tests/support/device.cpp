@@ -2,25 +2,31 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <cstdio>
 #include <cstdlib>
 
 namespace cleave::test {
 
 namespace {
 
-ContextPointer& opened() {
-    static ContextPointer context;
-    return context;
+std::atomic<uint64_t>& messages() {
+    static std::atomic<uint64_t> count{0};
+    return count;
+}
+
+std::unique_ptr<Device>& opened() {
+    static std::unique_ptr<Device> device;
+    return device;
 }
 
 // After each test, so that a message fails the test that caused it.
 class SilentValidation : public testing::EmptyTestEventListener {
     uint64_t seen_ = 0;
     void OnTestEnd(const testing::TestInfo&) override {
-        if (!opened()) return;
-        const uint64_t messages = validationMessages(*opened());
-        EXPECT_EQ(messages, seen_) << "Vulkan validation spoke";
-        seen_ = messages;
+        const uint64_t now = messages();
+        EXPECT_EQ(now, seen_) << "Vulkan validation spoke";
+        seen_ = now;
     }
 };
 
@@ -32,11 +38,10 @@ std::vector<std::function<void()>>& releases() {
 class CloseDevice : public testing::Environment {
     void TearDown() override {
         if (!opened()) return;
-        const std::shared_ptr<ValidationLog> log = opened()->validation;
-        const uint64_t before = log->messages;
+        const uint64_t before = messages();
         for (auto& release : releases()) release();
         opened().reset();
-        EXPECT_EQ(log->messages, before) << "Vulkan validation spoke while the device was closed";
+        EXPECT_EQ(messages(), before) << "Vulkan validation spoke while the device was closed";
     }
 };
 
@@ -50,13 +55,25 @@ const bool installed = [] {
 
 void beforeClose(std::function<void()> release) { releases().push_back(std::move(release)); }
 
-Context& device() {
-    if (!opened()) {
-        setenv("CLEAVE_VALIDATION", "1", 1);
-        const char* name = std::getenv("CLEAVE_TEST_DEVICE");
-        opened() = openDevice(name ? name : "");
-    }
+std::unique_ptr<Device> openTestDevice(DeviceOptions options) {
+    const char* name = std::getenv("CLEAVE_TEST_DEVICE");
+    options.nameOrIndex = name ? name : "";
+    options.onValidation = [](const char* message) {
+        messages()++;
+        std::fprintf(stderr, "validation: %s\n", message);
+    };
+    return std::make_unique<Device>(std::move(options));
+}
+
+Device& device() {
+    if (!opened()) opened() = openTestDevice({});
     return *opened();
+}
+
+PipelineHome pipelineHome() {
+    static Functions functions;
+    functions.load(vkGetInstanceProcAddr, device().instance(), device().handle());
+    return {&functions, device().handle(), device().pipelineCache(), nullptr};
 }
 
 }  // namespace cleave::test

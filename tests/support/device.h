@@ -4,10 +4,17 @@
 #include <functional>
 
 #include "gpu/device.h"
+#include "record/kernel.h"
 
 namespace cleave::test {
 
-Context& device();
+Device& device();
+
+// A device of its own for a test that needs other options; its validation messages count, too.
+std::unique_ptr<Device> openTestDevice(DeviceOptions options);
+
+// What kernels of a test are made with.
+PipelineHome pipelineHome();
 
 // Runs before the device is closed: for what a test program keeps on it.
 void beforeClose(std::function<void()> release);

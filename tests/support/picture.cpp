@@ -1,89 +1,122 @@
 #include "support/picture.h"
 
+#include "gpu/commands.h"
+#include "shared/tree.h"
+
 namespace cleave::test {
 
 namespace {
 
-const RenderPasses& renderPasses() {
-    static std::unique_ptr<RenderPasses> passes;
-    if (!passes) {
-        passes = std::make_unique<RenderPasses>(device());
-        beforeClose([] { passes.reset(); });
+const PictureKernels& kernels() {
+    static std::unique_ptr<PictureKernels> made;
+    if (!made) {
+        made = std::make_unique<PictureKernels>(pipelineHome());
+        beforeClose([] { made.reset(); });
     }
-    return *passes;
+    return *made;
 }
 
-template <class T>
-Buffer uploaded(const std::vector<T>& items) {
-    Buffer b(device(), items.size() * sizeof(T));
-    b.upload(std::span<const T>(items));
-    return b;
+ImageCamera cameraOf(uint32_t width, uint32_t height, uint32_t seed) {
+    ImageCamera c{};
+    c.eye = {0.3, -0.2, 5.0};
+    c.forward = glm::normalize(glm::dvec3(0.1, 0.2, -1.0));
+    c.right = glm::normalize(glm::cross(c.forward, glm::dvec3(0, 1, 0)));
+    c.up = glm::cross(c.right, c.forward);
+    c.pixel = 1.0 / height;
+    c.width = width;
+    c.height = height;
+    c.orthographic = seed % 3 == 0 ? 1 : 0;
+    c.tMax = 1e30f;
+    return c;
 }
 
 }  // namespace
 
-PictureInput::PictureInput(uint32_t pixels, uint32_t seed) {
-    const TriangleSet set = mixedSet(100, seed);  // hits are on triangles with an area only
-    triangles_ = set.triangles;
+PicturePair::PicturePair(uint32_t width, uint32_t height, View view, uint32_t seed) {
+    const uint32_t pixels = width * height;
+    std::vector<Triangle> world = mixedTriangles(100, seed);
+    for (Triangle& t : world)
+        for (vec3* v : {&t.a, &t.b, &t.c}) *v = *v * 100.0f;
+    const TriangleSet set = makeTriangleSet(world);  // hits are on triangles with an area only
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> unit(0.0f, 1.0f);
-    auto below = [&](uint32_t n) { return static_cast<uint32_t>(random() % n); };
-    baseColours_ = {{1.0f, 0.5f, 0.25f, 1.0f}, {0.0f, 0.8f, 0.1f, 1.0f}, {0.3f, 0.3f, 0.3f, 1.0f}};
-    for (uint32_t i = 0; i < triangles_.size(); i++) materialOf_.push_back(i % 3);
+    const auto below = [&](uint32_t n) { return static_cast<uint32_t>(random() % n); };
+    arrays.triangles = world;
+    arrays.bounds = set.bounds;
+    arrays.exponent = set.exponent;
+    arrays.baseColours = {{1.0f, 0.5f, 0.25f, 1.0f}, {0.0f, 0.8f, 0.1f, 1.0f}, {0.3f, 0.3f, 0.3f, 1.0f}};
+    for (uint32_t i = 0; i < world.size(); i++) arrays.materialOf.push_back(i % 3);
+    arrays.camera = cameraOf(width, height, seed);
+    arrays.view = static_cast<uint32_t>(view);
+    const bool steps = countsSteps(view), shadows = view == View::shaded;
     for (uint32_t i = 0; i < pixels; i++) {
-        Ray r{{unit(random), unit(random), unit(random)}, 0.0f, {unit(random) - 0.5f, unit(random) - 0.5f, 0.7f}, 9.0f};
-        rays_.push_back(r);
+        arrays.rays.push_back(
+            {{unit(random), unit(random), unit(random)}, 0.0f, {unit(random) - 0.5f, unit(random) - 0.5f, 0.7f}, 9.0f});
         const bool found = unit(random) < 0.8f;
-        hits_.push_back(found ? Hit{unit(random) * 50.0f,
-                                    set.included[below(static_cast<uint32_t>(set.included.size()))], 0.1f, 0.2f}
-                              : missedHit());
-        shadowHits_.push_back(unit(random) < 0.5f ? hits_.back() : missedHit());
-        steps_.push_back({below(60), below(10), below(30), below(5), below(20), below(30)});
+        const uint32_t prim = set.included[below(static_cast<uint32_t>(set.included.size()))];
+        arrays.hits.push_back(found ? Hit{unit(random) * 50.0f, prim, 0.1f, 0.2f} : missedHit());
+        if (shadows) arrays.shadowHits.push_back(unit(random) < 0.5f ? arrays.hits.back() : missedHit());
+        // Counts of one to four bytes, so that every round of the selection sees several values.
+        if (steps)
+            arrays.steps.push_back({below(1u << (8 * (1 + i % 4) - 1)), below(10), below(30), 0, below(70000), 0});
     }
-    b_[0] = uploaded(rays_);
-    b_[1] = uploaded(hits_);
-    b_[2] = uploaded(steps_);
-    b_[3] = Buffer(device(), pixels * sizeof(Ray));
-    b_[4] = uploaded(shadowHits_);
-    b_[5] = uploaded(triangles_);
-    b_[6] = uploaded(materialOf_);
-    b_[7] = uploaded(baseColours_);
-    b_[8] = Buffer(device(), pixels * sizeof(uint32_t));
+    if (shadows) arrays.shadowRays.resize(pixels);
+    arrays.pixels.resize(pixels);
+
+    triangles_ = uploaded(device(), std::span<const Triangle>(arrays.triangles));
+    materialOf_ = uploaded(device(), std::span<const uint32_t>(arrays.materialOf));
+    baseColours_ = uploaded(device(), std::span<const glm::vec4>(arrays.baseColours));
+    TreeData tree{};
+    tree.bounds = set.bounds;
+    tree.exponent = set.exponent;
+    tree_ = uploaded(device(), std::span<const TreeData>(&tree, 1));
+    at_ = pictureLayout(pictureCounts(width, height, arrays.view), 0);
+    const VkDeviceSize bytes = at_.ranges.size(0);
+    scratch_.reserve(device(), {&bytes, 1});
 }
 
-twin::ShadeArrays PictureInput::arrays() const {
-    return {rays_, hits_, steps_, shadowHits_, triangles_, materialOf_, baseColours_};
-}
-
-ShadePush PictureInput::push(uint32_t view) const {
-    return {b_[0].address(),
-            b_[1].address(),
-            b_[2].address(),
-            b_[3].address(),
-            b_[4].address(),
-            b_[5].address(),
-            b_[6].address(),
-            b_[7].address(),
-            b_[8].address(),
-            offset,
-            low,
-            high,
-            view,
-            static_cast<uint32_t>(rays_.size())};
-}
-
-std::vector<Ray> PictureInput::shadowRaysOnDevice() {
-    Recorder recorder(device());
-    renderPasses().shadowRays(recorder, push(kViewShaded));
-    recorder.submit();
-    return b_[3].download<Ray>(rays_.size());
-}
-
-std::vector<uint32_t> PictureInput::pixelsOnDevice(uint32_t view) {
-    Recorder recorder(device());
-    renderPasses().shade(recorder, push(view));
-    recorder.submit();
-    return b_[8].download<uint32_t>(rays_.size());
+PictureArrays PicturePair::onDevice(PictureKernels::Pass pass, uint32_t round) {
+    Buffer& scratch = const_cast<Buffer&>(scratch_.buffer(0));
+    const auto address = [&](const Place& p) { return scratch.address() + p.offset; };
+    PictureArgs args{};
+#define CLEAVE_BIND(name, Element, Array, count) args.name = address(at_.name);
+    CLEAVE_PICTURE_ARRAYS(CLEAVE_BIND)
+#undef CLEAVE_BIND
+    args.state = address(at_.state);
+    args.tree = tree_.address();
+    args.triangles = triangles_.address();
+    args.materialOf = materialOf_.address();
+    args.baseColours = baseColours_.address();
+    args.camera = arrays.camera;
+    args.view = arrays.view;
+    args.count = static_cast<uint32_t>(arrays.rays.size());
+    scratch.write(at_.args.offset, &args, sizeof(args));
+    scratch.write(at_.state.offset, &arrays.state, sizeof(PictureState));
+    const auto both = [&](auto& items, const Place& place, bool up) {
+        const uint64_t bytes = items.size() * sizeof(items[0]);
+        if (up)
+            scratch.write(place.offset, items.data(), bytes);
+        else
+            scratch.read(place.offset, items.data(), bytes);
+    };
+    PictureArrays result = arrays;
+    const auto all = [&](bool up) {
+        both(result.rays, at_.rays, up);
+        both(result.hits, at_.hits, up);
+        both(result.steps, at_.steps, up);
+        both(result.shadowRays, at_.shadowRays, up);
+        both(result.shadowHits, at_.shadowHits, up);
+        both(result.pixels, at_.pixels, up);
+    };
+    all(true);
+    Commands commands(device());
+    commands.begin();
+    const uint32_t groups = pass == PictureKernels::select_count ? 1 : ceilDiv(args.count, kGroup);
+    kernels().recorder(commands.handle()).dispatch(kernels()[pass], PicturePush{address(at_.args), round, 0}, groups);
+    commands.run();
+    all(false);
+    scratch.read(at_.state.offset, &result.state, sizeof(PictureState));
+    return result;
 }
 
 }  // namespace cleave::test

@@ -1,34 +1,34 @@
-// Input for the render kernels, made from a seed, on both sides.
+// Input for the kernels of a picture, made from a seed, on both sides.
 #pragma once
 
-#include "pass/render_passes.h"
+#include "render/cmd_render.h"
+#include "run/ranges.h"
 #include "support/device.h"
 #include "support/scenes.h"
 #include "twin/render.h"
 
 namespace cleave::test {
 
-class PictureInput {
+class PicturePair {
   public:
-    PictureInput(uint32_t pixels, uint32_t seed);
+    PicturePair(uint32_t width, uint32_t height, View view, uint32_t seed);
 
-    float offset = 1e-3f;
-    float low = 0.5f;
-    float high = 40.0f;
+    PictureArrays arrays;  // the twin's
 
-    twin::ShadeArrays arrays() const;
-    std::vector<Ray> shadowRaysOnDevice();
-    std::vector<uint32_t> pixelsOnDevice(uint32_t view);
+    // Runs a pass on the device with the arrays as they are now; what it leaves there.
+    PictureArrays onDevice(PictureKernels::Pass pass, uint32_t round = 0);
 
   private:
-    std::vector<Ray> rays_;
-    std::vector<Hit> hits_, shadowHits_;
-    std::vector<StepCount> steps_;
-    std::vector<Triangle> triangles_;
-    std::vector<uint32_t> materialOf_;
-    std::vector<glm::vec4> baseColours_;
-    Buffer b_[9];
-    ShadePush push(uint32_t view) const;
+    Buffer triangles_, materialOf_, baseColours_, tree_;
+    RangeBuffers scratch_;
+    PictureLayout at_;
 };
+
+// Sizes of pictures: below, at and above a tile, a strip, a workgroup.
+struct PictureSize {
+    uint32_t width;
+    uint32_t height;
+};
+constexpr PictureSize kPictureSizes[] = {{1, 1}, {7, 3}, {8, 8}, {9, 8}, {8, 9}, {64, 1}, {65, 65}, {257, 130}};
 
 }  // namespace cleave::test

@@ -7,8 +7,8 @@
 #include "builders/builder_names.h"
 #include "judge/oracle.h"
 #include "judge/validate.h"
-#include "pass/gpu_builder.h"
-#include "pass/tracer.h"
+#include "run/gpu_builder.h"
+#include "run/tracer.h"
 #include "twin/twin_builder.h"
 
 namespace cleave::test {
@@ -36,9 +36,9 @@ using Failure = std::optional<QueryFailure>;
 }  // namespace
 
 struct QueryCheck::Impl {
-    explicit Impl(Context& c) : context(c), builder(c), tracer(c) {}
+    explicit Impl(Device& d) : device(d), builder(d), tracer(d) {}
 
-    Context& context;
+    Device& device;
     GpuBuilder builder;
     Tracer tracer;
     Counts counts;
@@ -67,13 +67,15 @@ struct QueryCheck::Impl {
             TraceMode mode;
         };
         // The unfiltered test is the default one without the filter that throws out clear misses: the same answers.
-        const Mode modes[] = {{"restart", {Traversal::restart, TriangleTest::watertight}},
-                              {"stack", {Traversal::stack, TriangleTest::watertight}},
-                              {"unfiltered", {Traversal::restart, TriangleTest::unfiltered}}};
+        const Mode modes[] = {{"restart", {Query::closest, Traversal::restart, TriangleTest::watertight}},
+                              {"stack", {Query::closest, Traversal::stack, TriangleTest::watertight}},
+                              {"unfiltered", {Query::closest, Traversal::restart, TriangleTest::unfiltered}}};
         for (const Mode& m : modes) {
             const std::string name = treeName + ", " + m.name;
-            const Tracer::Result closest = tracer.trace(tree, c.rays, Query::closest, m.mode);
-            const Tracer::Result any = tracer.trace(tree, c.rays, Query::any, m.mode);
+            TraceMode anyMode = m.mode;
+            anyMode.query = Query::any;
+            const Tracer::Result closest = tracer.trace(tree, c.rays, m.mode);
+            const Tracer::Result any = tracer.trace(tree, c.rays, anyMode);
             counts.traced += 2 * c.rays.size();
             for (size_t i = 0; i < hits.size(); ++i)
                 if (Failure f = compare(c, set, i, hits[i], closest.hits[i], any.hits[i], name)) return f;
@@ -111,10 +113,10 @@ struct QueryCheck::Impl {
         const TriangleSet set = makeTriangleSet(c.triangles);
         const std::vector<Hit> hits = wanted(set, c);
         if (Failure f = judge(c, set, hits)) return f;
-        const auto triangles = uploadTriangles(context, set);
+        const DeviceTriangles triangles(device, c.triangles);
         const auto onDevice = builder.build(triangles, c.settings).tree;
         const KdTree twin = buildTwin(set, c.settings).tree;
-        const KdTree built = readBack(context, *onDevice);
+        const KdTree built = readBack(*onDevice);
         if (treeHash(built) != treeHash(twin)) return QueryFailure{0, "gpu: its tree is not the twin's"};
         if (Failure f = checkTree(c, set, built, "gpu")) return f;
         if (Failure f = trace(c, set, hits, *onDevice, "gpu")) return f;
@@ -122,7 +124,7 @@ struct QueryCheck::Impl {
             const KdTree tree = cpu.build(set, c.settings);
             const std::string name(cpu.name);
             if (Failure f = checkTree(c, set, tree, name)) return f;
-            if (Failure f = trace(c, set, hits, *uploadTree(context, triangles, tree), name)) return f;
+            if (Failure f = trace(c, set, hits, *uploadTree(device, set, tree), name)) return f;
         }
         ++counts.scenes;
         counts.pairs += c.rays.size();
@@ -131,7 +133,7 @@ struct QueryCheck::Impl {
     }
 };
 
-QueryCheck::QueryCheck(Context& context) : impl_(std::make_unique<Impl>(context)) {}
+QueryCheck::QueryCheck(Device& device) : impl_(std::make_unique<Impl>(device)) {}
 QueryCheck::~QueryCheck() = default;
 
 Failure QueryCheck::firstFailure(const QueryCase& c) { return impl_->check(c); }

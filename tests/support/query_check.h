@@ -18,7 +18,7 @@ struct QueryFailure {
 
 class QueryCheck {
   public:
-    explicit QueryCheck(Context& context);
+    explicit QueryCheck(Device& device);
     ~QueryCheck();
 
     // Closest hits must equal bruteForce's bit for bit, for trees of the GPU builder, of its twin and of every CPU

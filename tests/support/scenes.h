@@ -32,7 +32,7 @@ inline std::vector<Triangle> mixedTriangles(uint32_t n, uint32_t seed) {
 inline TriangleSet mixedSet(uint32_t n, uint32_t seed) { return makeTriangleSet(mixedTriangles(n, seed)); }
 
 // Below, at and above a workgroup, a block, a chunk, and their squares.
-constexpr uint32_t kSizes[] = {0,          1,          2,      kExactBelow, kExactBelow + 1, kGroup - 1,         kGroup,
-                               kGroup + 1, kBlock - 1, kBlock, kBlock + 1,  2 * kGroup + 1,  kGroup* kGroup + 1, 65537};
+constexpr uint32_t kSizes[] = {0,          1,          2,      kExactUpTo, kExactUpTo + 1, kGroup - 1,         kGroup,
+                               kGroup + 1, kBlock - 1, kBlock, kBlock + 1, 2 * kGroup + 1, kGroup* kGroup + 1, 65537};
 
 }  // namespace cleave::test

@@ -54,11 +54,10 @@ std::vector<Ray> mixedRays(uint32_t n, uint32_t seed) {
 
 void expectAnswers(const TriangleSet& set, const KdTree& tree, const std::vector<Ray>& rays, Traversal traversal) {
     Tracer tracer(device());
-    const auto onDevice = uploadTree(device(), uploadTriangles(device(), set), tree);
-    const Tracer::Result closest = tracer.trace(*onDevice, rays, Query::closest, {.traversal = traversal});
-    const Tracer::Result counted =
-        tracer.trace(*onDevice, rays, Query::closest, {.traversal = traversal, .countSteps = true});
-    const Tracer::Result any = tracer.trace(*onDevice, rays, Query::any, {.traversal = traversal});
+    const auto onDevice = uploadTree(device(), set, tree);
+    const Tracer::Result closest = tracer.trace(*onDevice, rays, {.traversal = traversal});
+    const Tracer::Result counted = tracer.trace(*onDevice, rays, {.traversal = traversal, .countSteps = true});
+    const Tracer::Result any = tracer.trace(*onDevice, rays, {.query = Query::any, .traversal = traversal});
     EXPECT_EQ(closest.cappedRays, 0u);
     EXPECT_EQ(closest.invalidRays, invalidOf(rays));
     for (size_t i = 0; i < rays.size(); i++) {

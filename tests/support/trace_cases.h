@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "pass/tracer.h"
+#include "run/tracer.h"
 #include "tree/kd_tree.h"
 #include "tree/triangle_set.h"
 

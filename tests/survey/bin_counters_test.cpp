@@ -100,12 +100,11 @@ TEST(BinCounters, EqualCountingIntervals) {
 // The pass of the builds, over the boxes of triangles: `bounds` gives the range, `bin` counts, chunk by chunk, every
 // triangle or every l-th one.
 void expectPassCounts(const TriangleSet& set, uint32_t bins, bool subsample) {
-    BuildSettings settings;
-    settings.bins = bins;
-    settings.subsample = subsample;
-    BuildArrays arrays = makeArrays(set, settings, firstCapacity(set.included.size()));
-    twin::makeRefs(arrays);
-    twin::begin(arrays);
+    BuildInfo info;
+    info.bins = bins;
+    info.subsample = subsample;
+    BuildArrays arrays = makeArrays(set.triangles, {}, info);  // scaled already, so that the scale is 1
+    for (const twin::Pass& pass : twin::setupPasses()) pass.run(arrays, 0);
     twin::bounds(arrays, 0);
     twin::bin(arrays, 0);
     const auto step = subsample ? static_cast<size_t>(std::log10(set.included.size())) : size_t{1};
@@ -116,7 +115,7 @@ void expectPassCounts(const TriangleSet& set, uint32_t bins, bool subsample) {
             const Triangle& t = set.triangles[set.included[i]];
             counted.push_back({std::min({t.a[a], t.b[a], t.c[a]}), std::max({t.a[a], t.b[a], t.c[a]})});
         }
-        const BinRange range = twin::rangeOf(arrays, arrays.nodes[0][0].chunk, axis);
+        const BinRange range = twin::rangeOf(arrays, arrays.nodes0[0].chunk, axis);
         ASSERT_EQ(range.count, bins);
         ASSERT_EQ(range.lo, set.bounds.lo[a]);
         ASSERT_EQ(range.hi, set.bounds.hi[a]);

@@ -44,7 +44,7 @@ TEST(TriangleSet, LeavesOutWhatCannotBeBuiltAndKeepsNumbers) {
     EXPECT_EQ(set.nonFinite, 2u);
     EXPECT_EQ(set.noArea, 2u);
     EXPECT_EQ(set.triangles.size(), world.size());
-    EXPECT_EQ(set.exponent, 1) << "what is left out must not set the scale";
+    EXPECT_EQ(set.exponent, 3) << "every finite vertex counts, also of what is left out";
     EXPECT_EQ(set.triangles[0].b, vec3(0.0f));
 }
 
@@ -87,11 +87,25 @@ TEST(TriangleSet, LeavesOutWhatScalingFlattens) {
     EXPECT_EQ(set.noArea, 1u);
 }
 
-TEST(TriangleSet, ScaleIsChosenAnewWhenItsTriangleIsFlattened) {
+// The scale is found once: scaling flattens the triangle that set it, and it stays as it is.
+TEST(TriangleSet, ScaleStaysWhenItsTriangleIsFlattened) {
     const std::vector<Triangle> world{{{1e30f, 0, 0}, {-1e30f, 1e-20f, 0}, {1e30f, 2e-20f, 0}}, kRight};
     const TriangleSet set = makeTriangleSet(world);
     EXPECT_EQ(set.included, std::vector<uint32_t>{1});
-    EXPECT_EQ(set.exponent, 1);
+    EXPECT_EQ(set.exponent, 100);  // 2^99 < 1e30 < 2^100
+    EXPECT_EQ(set.noArea, 1u);
+}
+
+TEST(TriangleSet, MayBeOverAListOfTriangles) {
+    std::vector<Triangle> world(6, kRight);
+    world[1] = test::transformed({kRight}, 100.0f, vec3(0.0f))[0];
+    world[4].a.x = std::nanf("");
+    const std::vector<uint32_t> list{0, 2, 4, 5};
+    const TriangleSet set = makeTriangleSet(world, list);
+    EXPECT_EQ(set.included, (std::vector<uint32_t>{0, 2, 5})) << "numbers are those of the scene";
+    EXPECT_EQ(set.nonFinite, 1u);
+    EXPECT_EQ(set.exponent, makeTriangleSet(std::vector<Triangle>{kRight}).exponent) << "others do not set the scale";
+    EXPECT_EQ(set.triangles.size(), world.size());
 }
 
 }  // namespace

@@ -50,6 +50,8 @@ struct ContextInfo {
     uint32_t modeCount = 0;
     // Off: no pipelines to build with, for programs that only trace.
     bool builds = true;
+    // The most workgroups in a row of a dispatch; 0: 65535, which every device takes. Tests make it tiny.
+    uint32_t longestRow = 0;
 };
 
 // Pipelines on a device. Destroy it before the device, when no command buffer that uses it is pending.
@@ -125,6 +127,9 @@ struct BuildInfo {
     bool clip = true;          // clips straddling triangles to both cells
     bool subsample = true;     // bins every l-th reference of a large node, l = max(1, floor(log10 n))
     Capacity capacity;
+    // The largest range of memory that the caller can give, e.g. maxMemoryAllocationSize; 0: any. Scratch that is
+    // larger comes in several ranges. The tree and the largest scratch array must fit in one.
+    VkDeviceSize largestRange = 0;
 
     // Called while recording, before the first pass and after each: for timestamps and labels.
     void (*onPass)(void* user, VkCommandBuffer commands, const char* pass) = nullptr;
@@ -132,11 +137,15 @@ struct BuildInfo {
 };
 
 struct BuildSizes {
-    VkDeviceSize tree = 0;     // 0: more triangles than a tree can hold (2^30)
-    VkDeviceSize scratch = 0;  // free again when the build is done
+    static constexpr uint32_t kMostScratch = 16;
+    VkDeviceSize tree = 0;  // 0: it cannot be built, see `failed`
+    // Of each range of scratch memory; free again when the build is done. One, unless BuildInfo::largestRange is met.
+    VkDeviceSize scratch[kMostScratch] = {};
+    uint32_t scratchCount = 0;
     VkDeviceSize alignment = 64;
     VkBufferUsageFlags usage = 0;  // of either
     Capacity capacity;             // with the defaults filled in
+    const char* failed = nullptr;
 };
 BuildSizes buildSizes(const BuildInfo& info) noexcept;
 
@@ -170,9 +179,9 @@ struct TreeHeader {
 };
 static_assert(sizeof(TreeHeader) == 128);
 
-// Builds a tree in `tree`, using `scratch`; both at least as large as buildSizes() said for the same info.
+// Builds a tree in `tree`, using the ranges of `scratch`, all at least as large as buildSizes() said for the same info.
 void cmdBuild(VkCommandBuffer commands, const Context& context, const BuildInfo& info, const Range& tree,
-              const Range& scratch) noexcept;
+              const Range* scratch) noexcept;
 
 // Copies a tree without slack. `to` is at least TreeHeader::bytes of `from` large, and does not overlap it.
 void cmdCompact(VkCommandBuffer commands, const Context& context, VkDeviceAddress from, const Range& to) noexcept;

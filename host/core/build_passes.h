@@ -1,0 +1,60 @@
+// The passes of a build, in the order in which they run: all that recording, twin and tests know of them.
+//
+// A row: the kernel (shaders/build/<kernel>.comp), its twin (host/twin), the member of Level that tells how many
+// workgroups it takes, how many lanes a workgroup has, what `scan` sums up. To add a pass means its .comp, its twin,
+// its test and its row.
+#pragma once
+
+#include <cstddef>
+
+#include "shared/build.h"
+
+namespace cleave {
+
+// Run once, over the triangles: sized like a level of one node with a reference per triangle.
+#define CLEAVE_SETUP_PASSES(ROW)                              \
+    ROW(find_scale, findScale, perRefBlock, block, 0)         \
+    ROW(load_triangles, loadTriangles, perRefBlock, block, 0) \
+    ROW(scan, scanTriangles, once, own, kScanTriangles)       \
+    ROW(make_refs, makeRefs, perRefBlock, block, 0)           \
+    ROW(begin, begin, once, own, 0)
+
+// Run on every level.
+#define CLEAVE_LEVEL_PASSES(ROW)                               \
+    ROW(bounds, bounds, perChunk, block, 0)                    \
+    ROW(bin, bin, perChunk, block, 0)                          \
+    ROW(choose_split, chooseSplit, perChunkGroup, own, 0)      \
+    ROW(nearest, nearest, perChunk, block, 0)                  \
+    ROW(snap, snap, perChunkGroup, own, 0)                     \
+    ROW(exact_split, exactSplit, perSmall, small, 0)           \
+    ROW(classify, classify, perRefBlock, block, 0)             \
+    ROW(scan, scanRefs, once, own, kScanRefs)                  \
+    ROW(offsets, offsets, perRefBlock, block, 0)               \
+    ROW(count_children, countChildren, perNodeBlock, block, 0) \
+    ROW(scan, scanNodes, once, own, kScanNodes)                \
+    ROW(next_level, nextLevel, once, own, 0)                   \
+    ROW(emit_nodes, emitNodes, perNodeBlock, block, 0)         \
+    ROW(partition, partition, perRefGroup, own, 0)
+
+// Run once, at the end.
+#define CLEAVE_LAST_PASSES(ROW) ROW(finish_tree, finishTree, once, own, 0)
+
+// Lanes of a workgroup: the kernel's own number, or a specialisation constant that suits the device: one for kernels
+// that treat a block of items, one for a small node.
+enum class Lanes { own, block, small };
+
+struct BuildPass {
+    const char* kernel;
+    size_t groups;  // offset of its DispatchSize in Level
+    Lanes lanes;
+    uint32_t scans;
+};
+
+#define CLEAVE_BUILD_PASS(kernel, twin, groups, lanes, scans) \
+    BuildPass{#kernel, offsetof(Level, groups), Lanes::lanes, scans},
+inline constexpr BuildPass kSetupPasses[] = {CLEAVE_SETUP_PASSES(CLEAVE_BUILD_PASS)};
+inline constexpr BuildPass kLevelPasses[] = {CLEAVE_LEVEL_PASSES(CLEAVE_BUILD_PASS)};
+inline constexpr BuildPass kLastPasses[] = {CLEAVE_LAST_PASSES(CLEAVE_BUILD_PASS)};
+#undef CLEAVE_BUILD_PASS
+
+}  // namespace cleave

@@ -1,0 +1,98 @@
+// Records a build: arguments and geometries are written, then pass after pass runs. Levels that turn out to be empty
+// cost an indirect dispatch of nothing per pass.
+#include <array>
+#include <cstring>
+
+#include "core/build_layout.h"
+#include "core/context.h"
+#include "shared/compact.h"
+
+namespace cleave {
+namespace {
+
+// In parts, so that nothing is allocated.
+void writeGeometries(Recorder& recorder, const BuildInfo& info, VkBuffer buffer, VkDeviceSize at) {
+    std::array<GeometryData, 64> part;
+    uint32_t firstTriangle = 0;
+    for (uint32_t first = 0; first < info.geometryCount; first += static_cast<uint32_t>(part.size())) {
+        const uint32_t count = std::min(info.geometryCount - first, static_cast<uint32_t>(part.size()));
+        for (uint32_t i = 0; i < count; i++) {
+            part[i] = geometryData(info.geometries[first + i], firstTriangle);
+            firstTriangle += info.geometries[first + i].triangleCount;
+        }
+        recorder.write(buffer, at + first * sizeof(GeometryData), part.data(), count * sizeof(GeometryData));
+    }
+}
+
+class BuildRecording {
+  public:
+    BuildRecording(const Context::State& state, Recorder& recorder, const BuildInfo& info, const Range& scratch,
+                   const ScratchLayout& at)
+        : state_(state),
+          recorder_(recorder),
+          info_(info),
+          scratch_(scratch),
+          args_(at.args.offset),
+          levels_(at.state.offset + offsetof(BuildState, level)) {}
+
+    // Sized by what the host knows.
+    void once(const BuildPass& pass, const Level& level) {
+        DispatchSize size{};
+        std::memcpy(&size, reinterpret_cast<const char*>(&level) + pass.groups, sizeof(size));
+        recorder_.dispatch(state_.kernelOf(pass), push(pass, 0), size);
+        note(pass.kernel);
+    }
+    // Sized by what the device knows.
+    void onLevel(const BuildPass& pass, uint32_t depth) {
+        recorder_.dispatchIndirect(state_.kernelOf(pass), push(pass, depth), scratch_.buffer,
+                                   scratch_.offset + levels_ + depth * sizeof(Level) + pass.groups);
+        note(pass.kernel);
+    }
+    void note(const char* pass) {
+        if (info_.onPass) info_.onPass(info_.user, recorder_.commands(), pass);
+    }
+
+  private:
+    const Context::State& state_;
+    Recorder& recorder_;
+    const BuildInfo& info_;
+    const Range& scratch_;  // the first range
+    uint64_t args_;
+    uint64_t levels_;
+
+    BuildPush push(const BuildPass& pass, uint32_t depth) const {
+        return {scratch_.address + args_, depth, pass.scans};
+    }
+};
+
+}  // namespace
+
+void cmdBuild(VkCommandBuffer commands, const Context& context, const BuildInfo& info, const Range& tree,
+              const Range* scratch) noexcept {
+    const Context::State& state = context.state();
+    Recorder recorder = state.recorder(commands);
+    const BuildArgs args = buildArgs(info, tree.address, scratch, state.row);
+    const ScratchLayout at = scratchLayout(countsOf(info), info.largestRange);
+    const auto offset = [scratch](const Place& place) { return scratch[0].offset + place.offset; };
+    recorder.write(scratch[0].buffer, offset(at.args), &args, sizeof(args));
+    writeGeometries(recorder, info, scratch[0].buffer, offset(at.geometries));
+    recorder.fillZero(scratch[0].buffer, offset(at.state), sizeof(BuildState));
+    BuildRecording build(state, recorder, info, scratch[0], at);
+    build.note("arguments");
+    const Level input = levelOf(args.triangleCount, 1, 0, 0, state.row);
+    for (const BuildPass& pass : kSetupPasses) build.once(pass, input);
+    const uint32_t maxDepth = depthLimit(info.maxDepth, args.triangleCount);
+    for (uint32_t depth = 0; depth <= maxDepth; depth++)
+        for (const BuildPass& pass : kLevelPasses) build.onLevel(pass, depth);
+    for (const BuildPass& pass : kLastPasses) build.once(pass, input);
+}
+
+void cmdCompact(VkCommandBuffer commands, const Context& context, VkDeviceAddress from, const Range& to) noexcept {
+    constexpr uint32_t kMostGroups = 4096;  // enough for any device; each invocation copies several entries
+    const Context::State& state = context.state();
+    const auto entries = to.size / sizeof(KdNode);
+    const auto groups = static_cast<uint32_t>(std::min<VkDeviceSize>(entries / kGroup + 1, VkDeviceSize(kMostGroups)));
+    state.recorder(commands).dispatch(state.compact, CompactPush{from, to.address, groups * kGroup}, groups);
+}
+
+}  // namespace cleave

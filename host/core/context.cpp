@@ -1,0 +1,136 @@
+#include "core/context.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <new>
+
+#include "shared/compact.h"
+#include "shared/trace.h"
+
+namespace cleave {
+namespace {
+
+// Lanes of a workgroup. A CPU device runs 8 lanes at once and pays for each barrier by the lane.
+struct GroupSizes {
+    uint32_t block = 64;
+    uint32_t small = 32;
+};
+
+GroupSizes groupSizes(const VkPhysicalDeviceProperties& properties) {
+    return properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? GroupSizes{8, 8} : GroupSizes{};
+}
+
+constexpr uint32_t kLargestGroup = 256;  // of `scan`
+
+// Creates kernels and remembers what failed first.
+struct Creation {
+    const PipelineHome& home;
+    NewContext& result;
+
+    bool create(Kernel& kernel, const char* name, size_t pushBytes, std::span<const uint32_t> constants) {
+        result.result =
+            kernel.create(home, findSpirv(coreKernels(), name), static_cast<uint32_t>(pushBytes), constants);
+        if (result.result != VK_SUCCESS) result.failed = name;
+        return result.result == VK_SUCCESS;
+    }
+};
+
+bool createBuildKernels(Creation& creation, Context::State& state, const GroupSizes& sizes) {
+    const auto add = [&](std::span<const BuildPass> passes) {
+        for (const BuildPass& pass : passes) {
+            const bool known = std::any_of(state.buildKernels.begin(), state.buildKernels.end(),
+                                           [&](const Kernel& k) { return k.name() == pass.kernel; });
+            if (known) continue;
+            const uint32_t lanes = pass.lanes == Lanes::block ? sizes.block : sizes.small;
+            const std::span<const uint32_t> constants(&lanes, pass.lanes == Lanes::own ? 0 : 1);
+            if (!creation.create(state.buildKernels.emplace_back(), pass.kernel, sizeof(BuildPush), constants))
+                return false;
+        }
+        return true;
+    };
+    return add(kSetupPasses) && add(kLevelPasses) && add(kLastPasses) &&
+           creation.create(state.compact, "compact", sizeof(CompactPush), {});
+}
+
+bool createTraceKernels(Creation& creation, Context::State& state, std::span<const TraceMode> modes) {
+    for (const TraceMode& mode : modes) {
+        const uint32_t constants[] = {mode.query == Query::any ? 1u : 0u, mode.countSteps ? 1u : 0u,
+                                      static_cast<uint32_t>(mode.test)};
+        const char* name = mode.traversal == Traversal::stack ? "trace_stack" : "trace";
+        TraceKernel& made = state.traceKernels.emplace_back();
+        made.mode = mode;
+        if (!creation.create(made.kernel, name, sizeof(TracePush), constants)) return false;
+    }
+    return true;
+}
+
+const TraceMode kDefaultModes[] = {{Query::closest}, {Query::any}};
+
+void createInto(NewContext& result, Context::State& state, const ContextInfo& info) {
+    const auto refuse = [&result](VkResult why, const char* what) {
+        result.result = why;
+        result.failed = what;
+    };
+    if (const char* missing = state.functions.load(info.getInstanceProcAddr, info.instance, info.device))
+        return refuse(VK_ERROR_INITIALIZATION_FAILED, missing);
+    const auto propertiesOf = reinterpret_cast<PFN_vkGetPhysicalDeviceProperties>(
+        info.getInstanceProcAddr(info.instance, "vkGetPhysicalDeviceProperties"));
+    if (!propertiesOf) return refuse(VK_ERROR_INITIALIZATION_FAILED, "vkGetPhysicalDeviceProperties");
+    VkPhysicalDeviceProperties properties{};
+    propertiesOf(info.physicalDevice, &properties);
+    if (properties.limits.maxComputeWorkGroupInvocations < kLargestGroup)
+        return refuse(VK_ERROR_FEATURE_NOT_PRESENT, "workgroups of 256 invocations");
+    if (info.longestRow != 0) state.row = info.longestRow;
+    const PipelineHome home{&state.functions, info.device, info.pipelineCache, info.allocator};
+    Creation creation{home, result};
+    if (info.builds && !createBuildKernels(creation, state, groupSizes(properties))) return;
+    const std::span<const TraceMode> modes =
+        info.modes ? std::span(info.modes, info.modeCount) : std::span<const TraceMode>(kDefaultModes);
+    createTraceKernels(creation, state, modes);
+}
+
+}  // namespace
+
+Context::Context(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Context::~Context() = default;
+
+NewContext NewContext::create(const ContextInfo& info) noexcept {
+    NewContext result;
+    try {
+        auto state = std::make_unique<Context::State>();
+        createInto(result, *state, info);
+        if (result.result == VK_SUCCESS) result.context.reset(new Context(std::move(state)));
+    } catch (const std::bad_alloc&) {
+        result.result = VK_ERROR_OUT_OF_HOST_MEMORY;
+        result.failed = "creating a context";
+    }
+    return result;
+}
+
+// A mode or a pass that the context was not created with is a mistake of the caller, for which there is no answer.
+const Kernel& Context::State::kernelOf(const BuildPass& pass) const noexcept {
+    for (const Kernel& kernel : buildKernels)
+        if (kernel.name() == pass.kernel) return kernel;
+    std::abort();
+}
+
+const Kernel& Context::State::kernelOf(const TraceMode& mode) const noexcept {
+    for (const TraceKernel& made : traceKernels)
+        if (made.mode == mode) return made.kernel;
+    std::abort();
+}
+
+Requirements requirements() {
+    Requirements r{};
+    r.apiVersion = VK_API_VERSION_1_3;
+    r.features.shaderFloat64 = VK_TRUE;
+    r.vulkan12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
+    r.vulkan12.bufferDeviceAddress = VK_TRUE;
+    r.vulkan12.scalarBlockLayout = VK_TRUE;
+    r.vulkan13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
+    r.vulkan13.synchronization2 = VK_TRUE;
+    r.vulkan13.maintenance4 = VK_TRUE;  // workgroup sizes from specialisation constants
+    return r;
+}
+
+}  // namespace cleave

@@ -1,0 +1,155 @@
+#include "render/cmd_render.h"
+
+#include <string>
+
+#include "base/error.h"
+#include "shared/dispatch.h"
+
+namespace cleave {
+namespace {
+
+class PictureRecording {
+  public:
+    PictureRecording(VkCommandBuffer commands, const PictureKernels& kernels, const PictureTracing& tracing,
+                     const PictureInfo& info, const Range* scratch)
+        : kernels_(kernels),
+          recorder_(kernels.recorder(commands)),
+          tracing_(tracing),
+          info_(info),
+          scratch_(scratch),
+          counts_(pictureCounts(info.camera.width, info.camera.height, static_cast<uint32_t>(info.view))),
+          at_(pictureLayout(counts_, info.largestRange)) {}
+
+    void arguments() {
+        PictureArgs a{};
+#define CLEAVE_BIND(name, Element, Array, count) a.name = address(at_.name);
+        CLEAVE_PICTURE_ARRAYS(CLEAVE_BIND)
+#undef CLEAVE_BIND
+        a.state = address(at_.state);
+        a.tree = info_.tree;
+        a.triangles = info_.triangles;
+        a.materialOf = info_.materialOf;
+        a.baseColours = info_.baseColours;
+        a.camera = info_.camera;
+        a.view = static_cast<uint32_t>(info_.view);
+        a.count = pixels();
+        recorder_.write(scratch_[0].buffer, scratch_[0].offset + at_.args.offset, &a, sizeof(a));
+        zero(0, sizeof(PictureState));
+        note("arguments");
+    }
+
+    void cameraRays() { perRay(PictureKernels::camera_rays); }
+
+    void primaryHits(bool resumes) {
+        zero(offsetof(PictureState, primary), sizeof(TraceCounters));
+        TraceInfo trace = traced(at_.rays, at_.hits, at_.trails, info_.primaryMode(), resumes);
+        trace.counters = address(at_.state) + offsetof(PictureState, primary);
+        if (counts_.counted > 0) trace.steps = address(at_.steps);
+        recorder_.barrier();
+        cmdTrace(recorder_.commands(), *tracing_.primary, trace);
+        note("trace");
+    }
+
+    void scale() {
+        zero(0, offsetof(PictureState, histogram));
+        if (info_.view == View::depth) perRay(PictureKernels::depth_scale);
+        for (uint32_t round = 0; round < 4 && counts_.counted > 0; round++) {
+            perRay(PictureKernels::count_histogram, round);
+            pass(PictureKernels::select_count, round, 1);
+        }
+    }
+
+    void shadowRays() {
+        if (counts_.shadowed > 0) perRay(PictureKernels::shadow_rays);
+    }
+
+    void shadowHits(bool resumes) {
+        if (counts_.shadowed == 0) return;
+        zero(offsetof(PictureState, shadow), sizeof(TraceCounters));
+        TraceInfo trace = traced(at_.shadowRays, at_.shadowHits, at_.shadowTrails, info_.shadowMode(), resumes);
+        trace.counters = address(at_.state) + offsetof(PictureState, shadow);
+        recorder_.barrier();
+        cmdTrace(recorder_.commands(), *tracing_.shadow, trace);
+        note("trace shadows");
+    }
+
+    void colours() { perRay(PictureKernels::shade); }
+
+  private:
+    const PictureKernels& kernels_;
+    Recorder recorder_;
+    const PictureTracing& tracing_;
+    const PictureInfo& info_;
+    const Range* scratch_;
+    PictureCounts counts_;
+    PictureLayout at_;
+
+    uint32_t pixels() const { return static_cast<uint32_t>(counts_.pixels); }
+    VkDeviceAddress address(const Place& p) const { return scratch_[p.range].address + p.offset; }
+    PicturePush push(uint32_t round) const { return {address(at_.args), round, 0}; }
+    void pass(PictureKernels::Pass kernel, uint32_t round, uint32_t groups) {
+        recorder_.dispatch(kernels_[kernel], push(round), groups);
+        note(kernels_[kernel].name().data());
+    }
+    void perRay(PictureKernels::Pass kernel, uint32_t round = 0) { pass(kernel, round, ceilDiv(pixels(), kGroup)); }
+    void note(const char* pass) const {
+        if (info_.onPass) info_.onPass(info_.user, pass);
+    }
+    void zero(size_t offset, size_t bytes) {
+        recorder_.fillZero(scratch_[0].buffer, scratch_[0].offset + at_.state.offset + offset, bytes);
+    }
+    TraceInfo traced(const Place& rays, const Place& hits, const Place& trails, const TraceMode& mode,
+                     bool resumes) const {
+        TraceInfo trace;
+        trace.tree = info_.tree;
+        trace.rays = address(rays);
+        trace.hits = address(hits);
+        trace.trails = address(trails);
+        trace.count = pixels();
+        trace.mode = mode;
+        trace.stepLimit = info_.stepLimit;
+        trace.resumes = resumes;
+        return trace;
+    }
+};
+
+}  // namespace
+
+PictureKernels::PictureKernels(const PipelineHome& home, uint32_t longestRow)
+    : home_(home), row_(longestRow != 0 ? longestRow : kLongestRow) {
+    static constexpr const char* kNames[] = {
+#define CLEAVE_PASS_NAME(kernel, twin) #kernel,
+        CLEAVE_PICTURE_PASSES(CLEAVE_PASS_NAME)
+#undef CLEAVE_PASS_NAME
+    };
+    for (size_t i = 0; i < count; i++)
+        if (kernels_[i].create(home, findSpirv(renderKernels(), kNames[i]), sizeof(PicturePush), {}) != VK_SUCCESS)
+            throw Error(std::string("creating the pipeline of kernel ") + kNames[i] + " failed; try another device");
+}
+
+void cmdRender(VkCommandBuffer commands, const PictureKernels& kernels, const PictureTracing& tracing,
+               const PictureInfo& info, const Range* scratch) {
+    PictureRecording picture(commands, kernels, tracing, info, scratch);
+    picture.arguments();
+    picture.cameraRays();
+    picture.primaryHits(false);
+    picture.scale();
+    picture.shadowRays();
+    picture.shadowHits(false);
+    picture.colours();
+}
+
+void cmdResumePicture(VkCommandBuffer commands, const PictureKernels& kernels, const PictureTracing& tracing,
+                      const PictureInfo& info, const Range* scratch, PictureRays rays) {
+    PictureRecording picture(commands, kernels, tracing, info, scratch);
+    const bool primary = rays == PictureRays::primary;
+    if (primary) {
+        picture.primaryHits(true);
+        picture.scale();
+        picture.shadowRays();
+    }
+    picture.shadowHits(!primary);
+    picture.colours();
+}
+
+}  // namespace cleave

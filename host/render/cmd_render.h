@@ -1,0 +1,89 @@
+// Records a whole picture: camera rays, their hits, the view's scale, shadows, colours.
+#pragma once
+
+#include <array>
+
+#include "cleave/cleave.hpp"
+#include "record/recorder.h"
+#include "render/picture_layout.h"
+
+namespace cleave {
+
+enum class View : uint32_t {
+    shaded = kViewShaded,
+    normals = kViewNormals,
+    depth = kViewDepth,
+    steps = kViewSteps,
+    leaves = kViewLeaves
+};
+inline bool countsSteps(View view) { return view == View::steps || view == View::leaves; }
+
+// The passes of a picture, in the order of their first use. A row: the kernel (shaders/render/<kernel>.comp), its twin.
+#define CLEAVE_PICTURE_PASSES(ROW)       \
+    ROW(camera_rays, cameraRays)         \
+    ROW(depth_scale, depthScale)         \
+    ROW(count_histogram, countHistogram) \
+    ROW(select_count, selectCount)       \
+    ROW(shadow_rays, shadowRays)         \
+    ROW(shade, shade)
+
+struct PictureInfo {
+    VkDeviceAddress tree = 0;
+    VkDeviceAddress triangles = 0;    // 36 bytes each: the vertices in world space, by number
+    VkDeviceAddress materialOf = 0;   // uint32 per triangle
+    VkDeviceAddress baseColours = 0;  // four floats per material, linear
+    ImageCamera camera{};
+    View view = View::shaded;
+    Traversal traversal = Traversal::restart;
+    TriangleTest test = TriangleTest::watertight;
+    VkDeviceSize largestRange = 0;  // as BuildInfo::largestRange
+    uint32_t stepLimit = 0;         // as TraceInfo::stepLimit
+    // Called while recording, after each pass: for timestamps. The passes that trace are "trace" and "trace shadows".
+    void (*onPass)(void* user, const char* pass) = nullptr;
+    void* user = nullptr;
+
+    TraceMode primaryMode() const { return {Query::closest, traversal, test, countsSteps(view)}; }
+    TraceMode shadowMode() const { return {Query::any, traversal, test, false}; }
+};
+
+// The pipelines of a picture, beside those that trace.
+class PictureKernels {
+  public:
+    // Throws Error.
+    explicit PictureKernels(const PipelineHome& home, uint32_t longestRow = 0);
+
+    enum Pass : size_t {
+#define CLEAVE_PASS_NUMBER(kernel, twin) kernel,
+        CLEAVE_PICTURE_PASSES(CLEAVE_PASS_NUMBER)
+#undef CLEAVE_PASS_NUMBER
+            count
+    };
+    const Kernel& operator[](Pass pass) const { return kernels_[pass]; }
+    Recorder recorder(VkCommandBuffer commands) const { return {*home_.functions, commands, row_}; }
+
+  private:
+    PipelineHome home_;
+    uint32_t row_;
+    std::array<Kernel, count> kernels_;
+};
+
+// The contexts that trace a picture's rays; they may be the same one.
+struct PictureTracing {
+    const Context* primary = nullptr;  // has info.primaryMode()
+    const Context* shadow = nullptr;   // has info.shadowMode(), for the shaded view
+};
+
+// Records a whole picture with the ranges of `scratch`, sized as pictureLayout() says. Its pixels and its PictureState
+// are then where the layout has them.
+void cmdRender(VkCommandBuffer commands, const PictureKernels& kernels, const PictureTracing& tracing,
+               const PictureInfo& info, const Range* scratch);
+
+// Where PictureState tells of rays that the step limit ended, a picture goes on by these, as often as it takes: the
+// rays of one kind continue, and what follows from their hits is made anew.
+enum class PictureRays { primary, shadow };
+void cmdResumePicture(VkCommandBuffer commands, const PictureKernels& kernels, const PictureTracing& tracing,
+                      const PictureInfo& info, const Range* scratch, PictureRays rays);
+
+std::span<const Spirv> renderKernels() noexcept;
+
+}  // namespace cleave

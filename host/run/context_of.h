@@ -1,0 +1,15 @@
+// The recording library's context on a device of ours.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "cleave/cleave.hpp"
+#include "gpu/device.h"
+
+namespace cleave {
+
+// Throws Error.
+std::unique_ptr<Context> contextOf(const Device& device, std::span<const TraceMode> modes, bool builds);
+
+}  // namespace cleave

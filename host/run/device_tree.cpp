@@ -1,0 +1,81 @@
+#include "run/device_tree.h"
+
+#include <cstring>
+
+#include "base/error.h"
+#include "shared/tree_layout.h"
+
+namespace cleave {
+namespace {
+
+uint64_t bytesOf(uint32_t blocks) { return uint64_t(16) * blocks; }
+
+}  // namespace
+
+DeviceTriangles::DeviceTriangles(Device& device, std::span<const Triangle> world) {
+    if (world.size() > kMaxLink) throw Error("the scene has more than 2^30 triangles; split it");
+    triangles = uploaded(device, world);
+    count = static_cast<uint32_t>(world.size());
+}
+
+Geometry DeviceTriangles::geometry() const {
+    Geometry g;
+    g.vertices = triangles.address();
+    g.vertexCount = 3 * count;
+    g.triangleCount = count;
+    return g;
+}
+
+Box DeviceTree::bounds() const {
+    return {{header.lo[0], header.lo[1], header.lo[2]}, {header.hi[0], header.hi[1], header.hi[2]}};
+}
+
+std::shared_ptr<DeviceTree> uploadTree(Device& device, const TriangleSet& set, const KdTree& tree) {
+    const auto triangles = static_cast<uint32_t>(set.triangles.size());
+    const auto nodes = static_cast<uint32_t>(tree.nodes.size());
+    const auto leafRefs = static_cast<uint32_t>(tree.leafTriangles.size());
+    const TreeLayout at = treeLayout(triangles, 0, nodes, leafRefs);
+    auto made = std::make_shared<DeviceTree>();
+    made->memory = Buffer(device, bytesOf(at.end));
+    TreeHeader& h = made->header;
+    h.magic = TreeHeader::kMagic;
+    h.format = kTreeFormat;
+    h.triangleCount = triangles;
+    h.nodeCount = nodes;
+    h.leafRefCount = leafRefs;
+    h.nonFinite = static_cast<uint32_t>(set.nonFinite);
+    h.noArea = static_cast<uint32_t>(set.noArea);
+    h.exponent = tree.exponent;
+    std::memcpy(h.lo, &tree.bounds.lo, sizeof(h.lo));
+    std::memcpy(h.hi, &tree.bounds.hi, sizeof(h.hi));
+    h.bytes = bytesOf(at.end);
+    h.triangles = made->address() + bytesOf(at.triangles);
+    h.nodes = made->address() + bytesOf(at.nodes);
+    h.leafRefs = made->address() + bytesOf(at.leafRefs);
+    made->memory.write(0, &h, sizeof(h));
+    made->memory.write(bytesOf(at.triangles), set.triangles.data(), triangles * sizeof(Triangle));
+    made->memory.write(bytesOf(at.nodes), tree.nodes.data(), nodes * sizeof(KdNode));
+    made->memory.write(bytesOf(at.leafRefs), tree.leafTriangles.data(), leafRefs * sizeof(uint32_t));
+    return made;
+}
+
+KdTree readBack(const DeviceTree& device) {
+    const TreeHeader& h = device.header;
+    const auto read = [&](uint64_t address, auto& items, size_t count) {
+        items.resize(count);
+        device.memory.read(address - device.address(), items.data(), count * sizeof(items[0]));
+    };
+    KdTree tree;
+    tree.bounds = device.bounds();
+    tree.exponent = h.exponent;
+    read(h.nodes, tree.nodes, h.nodeCount);
+    read(h.leafRefs, tree.leafTriangles, h.leafRefCount);
+    if (h.numbers != 0) {
+        std::vector<uint32_t> numbers;
+        read(h.numbers, numbers, h.triangleCount);
+        for (uint32_t& triangle : tree.leafTriangles) triangle = numbers[triangle];
+    }
+    return tree;
+}
+
+}  // namespace cleave

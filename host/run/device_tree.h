@@ -1,0 +1,38 @@
+// Triangles and trees on the device.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "cleave/cleave.hpp"
+#include "gpu/buffer.h"
+#include "tree/kd_tree.h"
+#include "tree/triangle_set.h"
+
+namespace cleave {
+
+// A scene's triangles in world space, numbered; every tree is built over them, and pictures take their normals.
+struct DeviceTriangles {
+    Buffer triangles;  // Triangle
+    uint32_t count = 0;
+
+    DeviceTriangles(Device& device, std::span<const Triangle> world);
+    // As what a tree is built over.
+    Geometry geometry() const;
+};
+
+// A finished tree, and what it begins with.
+struct DeviceTree {
+    Buffer memory;
+    TreeHeader header{};
+
+    uint64_t address() const { return memory.address(); }
+    Box bounds() const;
+};
+
+// A tree of the host, moved to the device. `set` is what it was built over.
+std::shared_ptr<DeviceTree> uploadTree(Device& device, const TriangleSet& set, const KdTree& tree);
+// A tree of the device, on the host. Its leaves list numbers of triangles.
+KdTree readBack(const DeviceTree& tree);
+
+}  // namespace cleave

@@ -1,0 +1,126 @@
+#include "run/gpu_builder.h"
+
+#include <algorithm>
+
+#include "core/build_passes.h"
+#include "base/error.h"
+#include "tree/build_info.h"
+#include "run/context_of.h"
+#include "run/ranges.h"
+#include "base/stopwatch.h"
+
+namespace cleave {
+namespace {
+
+BuildInfo infoOf(const Geometry& geometry, const BuildSettings& settings, const Device& device) {
+    BuildInfo info = buildInfo(settings);
+    info.geometries = &geometry;
+    info.geometryCount = 1;
+    info.largestRange = device.largestAllocation();
+    return info;
+}
+
+bool contains(const Capacity& a, const Capacity& b) {
+    return a.refs >= b.refs && a.levelNodes >= b.levelNodes && a.nodes >= b.nodes && a.leafRefs >= b.leafRefs;
+}
+
+constexpr uint32_t kMostStamps =
+    (kMaxDepth + 1) * std::size(kLevelPasses) + std::size(kSetupPasses) + std::size(kLastPasses) + 1;
+
+}  // namespace
+
+struct GpuBuilder::State {
+    explicit State(Device& d) : device(d), context(contextOf(d, {}, true)), commands(d) {}
+    Device& device;
+    std::unique_ptr<Context> context;
+    Commands commands;
+    RangeBuffers scratch;  // these are kept from build to build
+    RangeBuffers tree;
+    Capacity capacity;
+
+    void reserve(const BuildInfo& info) {
+        const BuildSizes sizes = buildSizes(info);
+        if (sizes.failed) throw Error(std::string("cannot build a tree: ") + sizes.failed + "; split the scene");
+        tree.reserve(device, {&sizes.tree, 1});
+        scratch.reserve(device, {sizes.scratch, sizes.scratchCount});
+        capacity = sizes.capacity;
+    }
+
+    TreeHeader run(Commands& into, const BuildInfo& info) {
+        into.begin();
+        cmdBuild(into.handle(), *context, info, tree.ranges()[0], scratch.ranges());
+        into.run();
+        TreeHeader header;
+        tree.buffer(0).read(0, &header, sizeof(header));
+        return header;
+    }
+
+    // The tree in a buffer of just its size.
+    std::shared_ptr<DeviceTree> compacted(const TreeHeader& header) {
+        auto made = std::make_shared<DeviceTree>();
+        made->memory = Buffer(device, header.bytes);
+        commands.begin();
+        cmdCompact(commands.handle(), *context, tree.buffer(0).address(), rangeOf(made->memory));
+        commands.run();
+        made->memory.read(0, &made->header, sizeof(made->header));
+        return made;
+    }
+};
+
+GpuBuilder::GpuBuilder(Device& device) {
+    const Stopwatch watch;
+    state_ = std::make_unique<State>(device);
+    // Enough overlapping triangles for every kernel to run: some straddle, and there are more than kExactUpTo.
+    std::vector<Triangle> tiny;
+    for (uint32_t i = 0; i < 3 * kExactUpTo; i++) {
+        const float x = static_cast<float>(i) / (3 * kExactUpTo);
+        tiny.push_back({{x, 0.0f, 0.0f}, {x + 0.05f, 0.5f, 0.1f}, {x, 0.1f, 0.5f}});
+    }
+    build(DeviceTriangles(device, tiny), BuildSettings{});
+    setupMs_ = watch.milliseconds();
+}
+GpuBuilder::~GpuBuilder() = default;
+
+GpuBuilder::Result GpuBuilder::build(const DeviceTriangles& triangles, const BuildSettings& settings,
+                                     std::span<const uint32_t> list) {
+    const Stopwatch watch;
+    State& s = *state_;
+    const Buffer numbers = uploaded(s.device, list);
+    const Geometry geometry = triangles.geometry();
+    BuildInfo info = infoOf(geometry, settings, s.device);
+    if (!list.empty()) {
+        info.list = numbers.address();
+        info.listCount = static_cast<uint32_t>(list.size());
+    }
+    info.capacity = requireCapacity(info, settings.memory);
+    // Without a limit the tree does not depend on the capacity, so a build gets what an earlier one needed.
+    if (settings.memory == 0 && contains(s.capacity, info.capacity)) info.capacity = s.capacity;
+    Result result;
+    TreeHeader header{};
+    for (result.attempts = 1;; result.attempts++) {
+        s.reserve(info);
+        header = s.run(s.commands, info);
+        result.memoryLimited = header.status == TreeHeader::kShortOfCapacity;
+        if (!result.memoryLimited || !growCapacity(info, header.wanted, settings.memory)) break;
+    }
+    result.tree = s.compacted(header);
+    result.levels = header.levels;
+    result.peakBytes = s.scratch.bytes() + s.tree.bytes() + result.tree->memory.size();
+    result.ms = watch.milliseconds();
+    return result;
+}
+
+std::vector<PassTime> GpuBuilder::profile(const DeviceTriangles& triangles, const BuildSettings& settings) {
+    State& s = *state_;
+    const Geometry geometry = triangles.geometry();
+    BuildInfo info = infoOf(geometry, settings, s.device);
+    info.capacity = s.capacity;
+    s.reserve(info);
+    Commands timed(s.device, kMostStamps);
+    info.onPass = [](void* user, VkCommandBuffer, const char* pass) { static_cast<Commands*>(user)->stamp(pass); };
+    info.user = &timed;
+    s.run(timed, info);
+    return timed.passTimes();
+}
+
+}  // namespace cleave

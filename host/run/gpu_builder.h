@@ -1,0 +1,40 @@
+// Builds trees on the device: gives a build its memory, runs it, and runs it again with more where that was short.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "gpu/commands.h"
+#include "run/device_tree.h"
+
+namespace cleave {
+
+class GpuBuilder {
+  public:
+    // Compiles every kernel, by building a tiny tree.
+    explicit GpuBuilder(Device& device);
+    ~GpuBuilder();
+    double setupMilliseconds() const { return setupMs_; }
+
+    struct Result {
+        std::shared_ptr<DeviceTree> tree;
+        double ms = 0.0;             // from triangles on the device to a tree ready to trace
+        uint64_t peakBytes = 0;      // device memory of the build: scratch and tree, with the finished tree beside them
+        uint32_t levels = 0;         // depth reached
+        uint32_t attempts = 1;       // 1 + how often the capacity was too small and the build was done once more
+        bool memoryLimited = false;  // settings.memory was met: the last levels were finished as leaves
+    };
+    // `list`: ascending numbers of the triangles that the tree is built over; empty: all.
+    Result build(const DeviceTriangles& triangles, const BuildSettings& settings, std::span<const uint32_t> list = {});
+
+    // Builds once more, with the clock read after every pass: what each takes. With the capacity that the last build
+    // needed, so that it follows one with the same settings.
+    std::vector<PassTime> profile(const DeviceTriangles& triangles, const BuildSettings& settings);
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+    double setupMs_ = 0.0;
+};
+
+}  // namespace cleave

@@ -1,0 +1,105 @@
+#include "run/tracer.h"
+
+#include <algorithm>
+
+#include "gpu/commands.h"
+#include "run/context_of.h"
+#include "shared/trace.h"
+
+namespace cleave {
+namespace {
+
+struct Traced {
+    TraceMode mode;
+    std::unique_ptr<Context> context;
+};
+
+}  // namespace
+
+struct Tracer::State {
+    State(Device& d, const TraceLimits& l) : device(d), limits(l), commands(d), counters(d, sizeof(TraceCounters)) {}
+
+    Device& device;
+    TraceLimits limits;
+    Commands commands;
+    Buffer counters;
+    Buffer rays, hits, steps, trails;  // kept from call to call
+    std::vector<Traced> contexts;
+
+    void reserve(Buffer& buffer, size_t bytes) {
+        if (buffer.size() >= bytes) return;
+        buffer = Buffer();
+        buffer = Buffer(device, bytes);
+    }
+
+    // Runs one dispatch; what it counted.
+    TraceCounters run(const Context& context, const TraceInfo& info, double& ms) {
+        commands.begin();
+        commands.fillZero(counters.handle());
+        cmdTrace(commands.handle(), context, info);
+        commands.run();
+        ms += commands.milliseconds();
+        return counters.download<TraceCounters>(1)[0];
+    }
+
+    void trace(const Context& context, TraceInfo info, Result& result) {
+        TraceCounters counted = run(context, info, result.ms);
+        result.invalidRays += counted.invalidRays;
+        info.resumes = true;
+        for (uint32_t i = 1; counted.unfinishedRays > 0 && i < limits.mostDispatches; i++)
+            counted = run(context, info, result.ms);
+        result.cappedRays += counted.unfinishedRays;
+    }
+};
+
+Tracer::Tracer(Device& device, TraceLimits limits) : state_(std::make_unique<State>(device, limits)) {}
+Tracer::~Tracer() = default;
+
+const Context& Tracer::context(const TraceMode& mode) {
+    State& s = *state_;
+    const auto known =
+        std::find_if(s.contexts.begin(), s.contexts.end(), [&](const Traced& t) { return t.mode == mode; });
+    if (known != s.contexts.end()) return *known->context;
+    s.contexts.push_back({mode, contextOf(s.device, {&mode, 1}, false)});
+    TraceInfo nothing;
+    nothing.mode = mode;
+    s.commands.begin();
+    cmdTrace(s.commands.handle(), *s.contexts.back().context, nothing);
+    s.commands.run();
+    return *s.contexts.back().context;
+}
+
+Tracer::Result Tracer::trace(const DeviceTree& tree, std::span<const Ray> rays, const TraceMode& mode,
+                             std::span<const Hit> from) {
+    State& s = *state_;
+    const Context& traced = context(mode);
+    Result result;
+    result.hits.resize(rays.size());
+    if (mode.countSteps) result.steps.resize(rays.size());
+    for (size_t first = 0; first < rays.size(); first += s.limits.batch) {
+        const std::span<const Ray> batch = rays.subspan(first, std::min(s.limits.batch, rays.size() - first));
+        s.reserve(s.rays, batch.size_bytes());
+        s.reserve(s.hits, batch.size() * sizeof(Hit));
+        s.reserve(s.trails, batch.size() * sizeof(Trail));
+        if (mode.countSteps) s.reserve(s.steps, batch.size() * sizeof(StepCount));
+        s.rays.upload(batch);
+        if (!from.empty()) s.hits.upload(from.subspan(first, batch.size()));
+        TraceInfo info;
+        info.tree = tree.address();
+        info.rays = s.rays.address();
+        info.hits = s.hits.address();
+        info.trails = s.trails.address();
+        info.count = static_cast<uint32_t>(batch.size());
+        info.mode = mode;
+        info.counters = s.counters.address();
+        if (mode.countSteps) info.steps = s.steps.address();
+        info.fromHits = !from.empty();
+        info.stepLimit = s.limits.stepLimit;
+        s.trace(traced, info, result);
+        s.hits.read(0, &result.hits[first], batch.size() * sizeof(Hit));
+        if (mode.countSteps) s.steps.read(0, &result.steps[first], batch.size() * sizeof(StepCount));
+    }
+    return result;
+}
+
+}  // namespace cleave

@@ -1,0 +1,49 @@
+// Traces rays of the host through a tree on the device.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "run/device_tree.h"
+#include "shared/ray.h"
+#include "shared/step_count.h"
+
+namespace cleave {
+
+// How much a query does at once. Tests make these tiny; the answers are the same.
+struct TraceLimits {
+    size_t batch = size_t(1) << 21;  // rays of one submission: bounds the memory of large queries
+    uint32_t stepLimit = 0;          // of one dispatch, as TraceInfo::stepLimit
+    // Dispatches after which a ray is given up: with the default limit more than any valid tree needs. A ray that comes
+    // from a million diagonals away visits all cells along its way, from the restart node each: 24 million nodes in a
+    // scan of 870,000 triangles.
+    uint32_t mostDispatches = 1024;
+};
+
+class Tracer {
+  public:
+    explicit Tracer(Device& device, TraceLimits limits = {});
+    ~Tracer();
+
+    struct Result {
+        std::vector<Hit> hits;         // one per ray
+        std::vector<StepCount> steps;  // one per ray, or empty
+        double ms = 0.0;               // on the device, rays and hits being there
+        uint64_t invalidRays = 0;      // answered as misses (shared/ray.h, isValidRay)
+        uint64_t cappedRays = 0;       // given up, answered as misses: must be 0
+    };
+    // `from`: hits of another tree to go on from, one per ray; empty: none.
+    Result trace(const DeviceTree& tree, std::span<const Ray> rays, const TraceMode& mode = {},
+                 std::span<const Hit> from = {});
+
+    // The context that traces in a mode, made when it is first asked for. CPU devices compile at the first dispatch:
+    // one without rays is run, so that a query's time is the query's.
+    const Context& context(const TraceMode& mode);
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace cleave

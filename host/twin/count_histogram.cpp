@@ -1,0 +1,14 @@
+#include "twin/render.h"
+
+namespace cleave::twin {
+
+void countHistogram(PictureArrays& a, uint32_t round) {
+    const uint32_t shift = 24 - 8 * round;
+    for (size_t i = 0; i < a.rays.size(); i++) {
+        if (!countsInScale(a.view, a.hits[i])) continue;
+        const uint64_t count = shownCount(a.view, a.steps[i]);
+        if (count >> (shift + 8) == a.state.prefix) a.state.histogram[count >> shift & 255]++;
+    }
+}
+
+}  // namespace cleave::twin

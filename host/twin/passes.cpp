@@ -1,0 +1,22 @@
+#include "twin/passes.h"
+
+namespace cleave::twin {
+
+#define CLEAVE_ROW(kernel, twin, groups, lanes, scans) \
+    Pass{{#kernel, offsetof(Level, groups), Lanes::lanes, scans}, twin},
+
+std::span<const Pass> setupPasses() {
+    static constexpr Pass kPasses[] = {CLEAVE_SETUP_PASSES(CLEAVE_ROW)};
+    return kPasses;
+}
+std::span<const Pass> levelPasses() {
+    static constexpr Pass kPasses[] = {CLEAVE_LEVEL_PASSES(CLEAVE_ROW)};
+    return kPasses;
+}
+std::span<const Pass> lastPasses() {
+    static constexpr Pass kPasses[] = {CLEAVE_LAST_PASSES(CLEAVE_ROW)};
+    return kPasses;
+}
+#undef CLEAVE_ROW
+
+}  // namespace cleave::twin

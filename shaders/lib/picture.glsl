@@ -1,0 +1,17 @@
+// What every kernel of a picture starts with.
+#extension GL_EXT_buffer_reference2 : require
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_GOOGLE_include_directive : require
+#include "shared/shade.h"
+#include "lib/group.glsl"
+
+layout(push_constant, scalar) uniform Push { PicturePush push; };
+
+#define args push.args.at
+#define state args.state.at
+
+// The number of this invocation's ray; not below args.count: there is none.
+uint rayIndex() { return groupIndex() * kGroup + gl_LocalInvocationID.x; }
+
+// The triangle of a hit in the scaled space of the tree, where it neither overflows nor vanishes.
+Triangle hitTriangle(Hit hit) { return scaledTriangle(args.triangles.at[hit.prim], -args.tree.at.exponent); }

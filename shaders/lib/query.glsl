@@ -1,0 +1,61 @@
+// Queries in world space: what shaders call.
+#ifndef CLEAVE_LIB_QUERY
+#define CLEAVE_LIB_QUERY
+#include "shared/ray.h"
+#include "lib/restart.glsl"
+#include "lib/stack.glsl"
+
+// Whether traversal uses a stack, to compare with.
+#ifndef CLEAVE_STACK
+#define CLEAVE_STACK false
+#endif
+
+// Inner nodes and triangle tests after which trace() and occluded() give up and answer with a miss. More than rays of
+// valid trees need: one that starts a million diagonals away visits all cells along its way again and again, 24 million
+// nodes in a scan of 900,000 triangles.
+#ifndef CLEAVE_STEP_LIMIT
+#define CLEAVE_STEP_LIMIT (1u << 30)
+#endif
+
+// Goes on from `hit`, which stays unless the tree has a closer one, and from `trail`, which is empty at first. For
+// any-hit queries a given hit is the answer. The ray must be valid. Returns false if the ray is given up at the limit;
+// called again with what it left in `hit` and `trail`, it goes on as if it had not been interrupted.
+bool search(Tree tree, Ray ray, bool anyHit, uint stepLimit, inout Hit hit, inout Trail trail, inout StepCount steps) {
+    if (anyHit && hit.prim != kNone) return true;
+    TreeParts parts = partsOf(tree);
+    ScaledRay scaled = scaledRay(ray, tree.at.exponent);
+    Hit given = scaledHit(hit, scaled.tExponent);
+    Hit best = given;
+    bool finished = true;
+    if (CLEAVE_STACK) traverseStack(parts, scaled, anyHit, best, steps);
+    else finished = traverseRestart(parts, scaled, anyHit, stepLimit, best, trail, steps);
+    // A hit that stays is not converted back: scaling may have moved its t out of the range of floats.
+    if (best.t != given.t || best.prim != given.prim) hit = worldHit(best, scaled.tExponent);
+    return finished;
+}
+
+// The answer to a query that begins and ends here.
+Hit answer(Tree tree, vec3 origin, float tMin, vec3 direction, float tMax, bool anyHit) {
+    Ray ray;
+    ray.origin = origin;
+    ray.tMin = tMin;
+    ray.direction = direction;
+    ray.tMax = tMax;
+    Hit hit = missedHit();
+    if (!isValidRay(ray)) return hit;
+    Trail trail = emptyTrail();
+    StepCount steps = noSteps();
+    return search(tree, ray, anyHit, CLEAVE_STEP_LIMIT, hit, trail, steps) ? hit : missedHit();
+}
+
+// The closest hit with tMin <= t <= tMax; ties go to the lower triangle number. The direction need not be of unit
+// length. A miss, as for a ray that is not valid, has t = +inf and prim = 0xFFFFFFFF.
+Hit trace(Tree tree, vec3 origin, float tMin, vec3 direction, float tMax) {
+    return answer(tree, origin, tMin, direction, tMax, false);
+}
+
+// Whether there is a hit with tMin <= t <= tMax.
+bool occluded(Tree tree, vec3 origin, float tMin, vec3 direction, float tMax) {
+    return answer(tree, origin, tMin, direction, tMax, true).prim != kNone;
+}
+#endif

@@ -1,1 +1,0 @@
-CLEAVE_ARRAY(ColourArray, vec4);  // linear RGBA

@@ -1,0 +1,16 @@
+// What the kernel that copies a tree is given.
+#ifndef CLEAVE_SHARED_COMPACT_H
+#define CLEAVE_SHARED_COMPACT_H
+#include "config.h"
+#include "tree_layout.h"
+
+CLEAVE_BEGIN
+
+struct CompactPush {
+    CLEAVE_ADDRESS(Tree) from;
+    CLEAVE_ADDRESS(Tree) to;
+    uint invocations;  // of the dispatch: each copies every so manyth entry
+};
+
+CLEAVE_END
+#endif

@@ -1,0 +1,179 @@
+// A picture on the device: what its kernels are given, from the camera to the pixels.
+#ifndef CLEAVE_SHARED_PICTURE_H
+#define CLEAVE_SHARED_PICTURE_H
+#include "config.h"
+#include "trace.h"
+
+CLEAVE_BEGIN
+
+// What a picture shows; as View in host/render.
+CLEAVE_CONST uint kViewShaded = 0u;
+CLEAVE_CONST uint kViewNormals = 1u;
+CLEAVE_CONST uint kViewDepth = 2u;   // t of the hit, near is bright
+CLEAVE_CONST uint kViewSteps = 3u;   // nodes and leaves visited
+CLEAVE_CONST uint kViewLeaves = 4u;  // triangles in the leaf of the hit
+
+// A camera and its image plane. Square pixels; image point (0, 0) is the upper left corner.
+struct ImageCamera {
+    dvec3 eye;
+    dvec3 forward;  // unit length
+    dvec3 right;
+    dvec3 up;
+    double pixel;  // size of a pixel: at distance 1, or in all for an orthographic camera
+    uint width;
+    uint height;
+    uint orthographic;
+    float tMax;
+};
+CLEAVE_SIZE(ImageCamera, 120);
+
+// The ray through image point (x, y), of unit direction. Double arithmetic, rounded to float once.
+CLEAVE_FN Ray imageRay(ImageCamera c, double x, double y) {
+    precise double across = (x - double(0.5f) * double(c.width)) * c.pixel;
+    precise double along = (double(0.5f) * double(c.height) - y) * c.pixel;
+    precise dvec3 offset;
+    precise dvec3 way;
+    for (uint k = 0u; k < 3u; k++) {
+        offset[k] = across * c.right[k] + along * c.up[k];
+        way[k] = c.forward[k] + offset[k];
+    }
+    precise double square = way.x * way.x + way.y * way.y;
+    square = square + way.z * way.z;
+    precise double scale = double(1.0f) / sqrt(square);
+    Ray r;
+    for (uint k = 0u; k < 3u; k++) {
+        precise double o = c.eye[k];
+        precise double d = way[k] * scale;
+        if (c.orthographic != 0u) {
+            o = o + offset[k];
+            d = c.forward[k];
+        }
+        r.origin[k] = float(o);
+        r.direction[k] = float(d);
+    }
+    r.tMin = 0.0f;
+    r.tMax = c.tMax;
+    return r;
+}
+
+// Which pixel, counted row by row, the ray of that number belongs to. Rays go through the picture in tiles of 8 x 8,
+// and through a tile in Morton order, so that the lanes of a subgroup of any size look at a compact patch; tiles that
+// the picture's edge cuts go row by row.
+CLEAVE_FN uint pixelOf(uint ray, uint width, uint height) {
+    uint strip = ray / (8u * width);
+    uint rows = min(8u, height - 8u * strip);
+    uint inStrip = ray - strip * 8u * width;
+    uint tile = inStrip / (8u * rows);
+    uint columns = min(8u, width - 8u * tile);
+    uint k = inStrip - tile * 8u * rows;
+    uint x = k % columns;
+    uint y = k / columns;
+    if (rows == 8u && columns == 8u) {
+        x = (k & 1u) | (k >> 1 & 2u) | (k >> 2 & 4u);
+        y = (k >> 1 & 1u) | (k >> 2 & 2u) | (k >> 3 & 4u);
+    }
+    return (8u * strip + y) * width + 8u * tile + x;
+}
+
+// What is known of a whole picture. Zeroed before it is rendered. Bits are ordered ones: larger is farther out.
+struct PictureState {
+    uint lowBits;   // ~orderedBits of the scale's lower end
+    uint highBits;  // orderedBits of its upper end; 0: there is none
+    uint prefix;    // of the count that is being selected: the bytes that are known
+    uint rank;      // how many of the counts that begin with `prefix` are before it
+    uint histogram[256];
+    TraceCounters primary;
+    TraceCounters shadow;
+};
+CLEAVE_SIZE(PictureState, 1056);
+
+// The ends of a picture's scale; what lies beyond looks like the end.
+struct ViewScale {
+    float low;
+    float high;
+};
+CLEAVE_FN ViewScale viewScale(uint lowBits, uint highBits) {
+    ViewScale s;
+    s.low = highBits == 0u ? 0.0f : fromOrderedBits(~lowBits);
+    s.high = highBits == 0u ? 0.0f : fromOrderedBits(highBits);
+    return s;
+}
+
+#ifndef __cplusplus
+layout(buffer_reference, scalar, buffer_reference_align = 4) buffer PictureStateRef { PictureState at; };
+CLEAVE_ARRAY(ColourArray, vec4);  // linear RGBA
+#endif
+
+// The arrays of a picture: name, element, its array in GLSL, how many. `n` is PictureCounts in render/picture_layout.h.
+#define CLEAVE_PICTURE_ARRAYS(ROW)                                                      \
+    ROW(rays, Ray, RayArray, n.pixels)                                                  \
+    ROW(hits, Hit, HitArray, n.pixels)                                                  \
+    ROW(trails, Trail, TrailArray, n.pixels)                                            \
+    ROW(steps, StepCount, StepCountArray, n.counted) /* for the views of counts only */ \
+    ROW(shadowRays, Ray, RayArray, n.shadowed)       /* for the shaded view only */     \
+    ROW(shadowHits, Hit, HitArray, n.shadowed)                                          \
+    ROW(shadowTrails, Trail, TrailArray, n.shadowed)                                    \
+    ROW(pixels, uint, UintArray, n.pixels) /* R | G << 8 | B << 16 | A << 24, sRGB, row by row */
+
+#define CLEAVE_PICTURE_FIELD(name, Element, Array, count) CLEAVE_ADDRESS(Array) name;
+
+struct PictureArgs {
+    CLEAVE_PICTURE_ARRAYS(CLEAVE_PICTURE_FIELD)
+    CLEAVE_ADDRESS(PictureStateRef) state;
+    CLEAVE_ADDRESS(Tree) tree;
+    CLEAVE_ADDRESS(TriangleArray) triangles;  // in world space, by number
+    CLEAVE_ADDRESS(UintArray) materialOf;     // by number
+    CLEAVE_ADDRESS(ColourArray) baseColours;
+    ImageCamera camera;
+    uint view;
+    uint count;  // of pixels
+};
+CLEAVE_SIZE(PictureArgs, 232);
+
+#ifndef __cplusplus
+layout(buffer_reference, scalar, buffer_reference_align = 8) buffer PictureArgsRef { PictureArgs at; };
+#endif
+
+struct PicturePush {
+    CLEAVE_ADDRESS(PictureArgsRef) args;
+    uint round;  // of count_histogram and select_count: 0 to 3, from the highest byte of the counts to the lowest
+    uint reserved;
+};
+CLEAVE_SIZE(PicturePush, 16);
+
+// The count that a pixel shows; `counts` is false where it shows none and does not matter to the scale.
+CLEAVE_FN bool countsInScale(uint view, Hit hit) { return view == kViewSteps || hit.prim != kNone; }
+CLEAVE_FN uint shownCount(uint view, StepCount s) { return view == kViewSteps ? s.inner + s.leaves : s.hitLeaf; }
+
+// The scale of counts ends where all but 1 in 200 pixels stay below: a few rays along a wall would leave the rest in
+// the dark. This is the place of that count among `total` in ascending order, floor((total - 1) * 199 / 200).
+CLEAVE_FN uint scaleRank(uint total) {
+    uint last = max(total, 1u) - 1u;
+    return last / 200u * 199u + last % 200u * 199u / 200u;
+}
+
+// How far a hit stretches the scale of depths: to where its ray leaves the scene's box behind it. The farthest hit
+// would not do: it lies where a surface turns away, and the whole scale would hang on one pixel there.
+CLEAVE_FN float depthReach(Ray r, Hit h, Box bounds, int exponent) {
+    double unit = powerOfTwo(exponent);
+    double leave = double(infinity());
+    for (uint k = 0u; k < 3u; k++) {
+        if (r.direction[k] == 0.0f) continue;
+        precise double wall = double(r.direction[k] > 0.0f ? bounds.hi[k] : bounds.lo[k]) * unit;
+        precise double t = (wall - double(r.origin[k])) / double(r.direction[k]);
+        leave = t < leave ? t : leave;
+    }
+    return max(h.t, float(leave));
+}
+
+// How far shadow rays start from their surface: 1e-4 of the scene's diagonal, in world units.
+CLEAVE_FN float shadowOffset(Box bounds, int exponent) {
+    dvec3 e = dvec3(bounds.hi) - dvec3(bounds.lo);
+    precise double square = e.x * e.x + e.y * e.y;
+    square = square + e.z * e.z;
+    precise float diagonal = float(sqrt(square) * powerOfTwo(exponent));
+    return 1e-4f * diagonal;
+}
+
+CLEAVE_END
+#endif

@@ -1,0 +1,335 @@
+// The recording library as its users see it: their memory, their command buffer, one submission.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <numeric>
+
+#include "base/error.h"
+#include "builders/builders.h"
+#include "core/context.h"
+#include "gpu/commands.h"
+#include "judge/oracle.h"
+#include "run/context_of.h"
+#include "run/gpu_builder.h"
+#include "run/ranges.h"
+#include "run/renderer.h"
+#include "support/device.h"
+#include "support/scenes.h"
+#include "support/trace_cases.h"
+#include "twin/twin_builder.h"
+
+namespace cleave::test {
+
+namespace {
+
+const TraceMode kModes[] = {{Query::closest}, {Query::any}, {Query::closest, Traversal::stack}};
+
+// A context and memory for one tree and its rays.
+struct Recording {
+    std::unique_ptr<Context> context = contextOf(device(), kModes, true);
+    Commands commands{device()};
+    RangeBuffers scratch;
+    Buffer tree, rays, hits, trails, counters;
+
+    void reserve(const BuildInfo& info, const std::vector<Ray>& shot) {
+        const BuildSizes sizes = buildSizes(info);
+        scratch.reserve(device(), {sizes.scratch, sizes.scratchCount});
+        tree = Buffer(device(), sizes.tree);
+        rays = uploaded(device(), std::span<const Ray>(shot));
+        hits = Buffer(device(), shot.size() * sizeof(Hit));
+        trails = Buffer(device(), shot.size() * sizeof(Trail));
+        const TraceCounts zero{};
+        counters = uploaded(device(), std::span<const TraceCounts>(&zero, 1));
+    }
+
+    void build(const BuildInfo& info) { cmdBuild(commands.handle(), *context, info, rangeOf(tree), scratch.ranges()); }
+
+    TraceInfo traceInfo(uint32_t count) const {
+        TraceInfo info;
+        info.tree = tree.address();
+        info.rays = rays.address();
+        info.hits = hits.address();
+        info.count = count;
+        info.counters = counters.address();
+        return info;
+    }
+
+    // What was recorded before is visible to what is recorded after.
+    void barrier() { context->state().recorder(commands.handle()).barrier(); }
+    TreeHeader header() const { return tree.download<TreeHeader>(1)[0]; }
+};
+
+KdTree treeIn(Recording& r) {
+    DeviceTree tree;
+    tree.header = r.header();
+    tree.memory = std::move(r.tree);
+    return readBack(tree);
+}
+
+void expectBruteForce(const TriangleSet& set, const std::vector<Ray>& rays, const std::vector<Hit>& hits) {
+    for (size_t i = 0; i < rays.size(); i++) {
+        const Hit want = bruteForce(set, rays[i], Query::closest);
+        ASSERT_EQ(std::memcmp(&want, &hits[i], sizeof(Hit)), 0) << "ray " << i;
+    }
+}
+
+BuildInfo over(const Geometry& geometry) {
+    BuildInfo info;
+    info.geometries = &geometry;
+    info.geometryCount = 1;
+    return info;
+}
+
+}  // namespace
+
+// Build, compaction, two traces: one command buffer, nothing read back in between.
+TEST(Record, BuildsAndTracesInOneCommandBuffer) {
+    const std::vector<Triangle> world = mixedTriangles(3000, 4);
+    const std::vector<Ray> rays = mixedRays(3000, 5);
+    const DeviceTriangles triangles(device(), world);
+    const Geometry geometry = triangles.geometry();
+    const BuildInfo info = over(geometry);
+    Recording r;
+    r.reserve(info, rays);
+    const Buffer compact(device(), r.tree.size()), any(device(), rays.size() * sizeof(Hit));
+    r.commands.begin();
+    r.build(info);
+    r.barrier();
+    TraceInfo trace = r.traceInfo(static_cast<uint32_t>(rays.size()));
+    cmdTrace(r.commands.handle(), *r.context, trace);
+    cmdCompact(r.commands.handle(), *r.context, r.tree.address(), rangeOf(compact));
+    r.barrier();
+    trace.tree = compact.address();
+    trace.hits = any.address();
+    trace.mode.query = Query::any;
+    cmdTrace(r.commands.handle(), *r.context, trace);
+    r.commands.run();
+    const std::vector<Hit> hits = r.hits.download<Hit>(rays.size()), anyHits = any.download<Hit>(rays.size());
+    expectBruteForce(makeTriangleSet(world), rays, hits);
+    for (size_t i = 0; i < rays.size(); i++) ASSERT_EQ(hits[i].prim == kNone, anyHits[i].prim == kNone) << i;
+    const TreeHeader h = r.header();
+    EXPECT_EQ(h.magic, TreeHeader::kMagic);
+    EXPECT_EQ(h.format, kTreeFormat);
+    EXPECT_EQ(h.status, 0u);
+    EXPECT_EQ(h.triangleCount, world.size());
+    EXPECT_LE(h.bytes, r.tree.size());
+    EXPECT_EQ(h.wantedBytes, 0u);
+}
+
+// The same triangles as one list of vertices, as indices of 16 and of 32 bits, in parts, and moved by a transform that
+// moves what was moved away back: the same tree.
+TEST(Record, ReadsGeometryAsUsersHaveIt) {
+    const std::vector<Triangle> world = mixedTriangles(700, 6);
+    std::vector<vec3> moved;  // in reverse order, twice as large, and off by a power of two
+    for (const Triangle& t : world)
+        for (const vec3& v : {t.a, t.b, t.c}) moved.push_back(v * 2.0f);
+    std::reverse(moved.begin(), moved.end());
+    std::vector<uint32_t> wide(moved.size());
+    std::iota(wide.rbegin(), wide.rend(), 0u);
+    std::vector<uint16_t> narrow(wide.begin(), wide.end());
+    narrow.resize((narrow.size() + 1) / 2 * 2);
+    const float back[12] = {0.5f, 0, 0, 0, 0, 0.5f, 0, 0, 0, 0, 0.5f, 0};
+    const Buffer vertices = uploaded(device(), std::span<const vec3>(moved));
+    const Buffer wideIndices = uploaded(device(), std::span<const uint32_t>(wide));
+    const Buffer narrowIndices = uploaded(device(), std::span<const uint16_t>(narrow));
+    const Buffer transform = uploaded(device(), std::span<const float>(back));
+    Geometry g;
+    g.vertices = vertices.address();
+    g.vertexCount = static_cast<uint32_t>(moved.size());
+    g.transform = transform.address();
+    g.triangleCount = static_cast<uint32_t>(world.size());
+    g.indices = wideIndices.address();
+    g.indexType = VK_INDEX_TYPE_UINT32;
+    Geometry h = g;
+    h.indices = narrowIndices.address();
+    h.indexType = VK_INDEX_TYPE_UINT16;
+    const DeviceTriangles plain(device(), world);
+    GpuBuilder builder(device());
+    const std::string want = treeHash(readBack(*builder.build(plain, BuildSettings{}).tree));
+    for (const Geometry& geometry : {g, h}) {
+        Recording r;
+        const BuildInfo info = over(geometry);
+        r.reserve(info, {});
+        r.commands.begin();
+        r.build(info);
+        r.commands.run();
+        EXPECT_EQ(treeHash(treeIn(r)), want);
+    }
+    Geometry first = g, second = h;
+    first.triangleCount = 302;  // an even number of indices, so that the rest begins at a multiple of 4 bytes
+    second.indices = narrowIndices.address() + 302 * 3 * sizeof(uint16_t);
+    second.triangleCount = static_cast<uint32_t>(world.size()) - 302;
+    const Geometry parts[] = {first, second};
+    BuildInfo info;
+    info.geometries = parts;
+    info.geometryCount = 2;
+    Recording r;
+    r.reserve(info, {});
+    r.commands.begin();
+    r.build(info);
+    r.commands.run();
+    EXPECT_EQ(treeHash(treeIn(r)), want);
+}
+
+TEST(Record, LeavesOutTrianglesWhoseIndexIsNotThere) {
+    const std::vector<vec3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const std::vector<uint32_t> indices{0, 1, 2, 0, 1, 3, 0, 1, 0xFFFFFFFFu};
+    const Buffer vertices = uploaded(device(), std::span<const vec3>(points));
+    const Buffer corners = uploaded(device(), std::span<const uint32_t>(indices));
+    Geometry g;
+    g.vertices = vertices.address();
+    g.vertexCount = 3;
+    g.triangleCount = 3;
+    g.indices = corners.address();
+    g.indexType = VK_INDEX_TYPE_UINT32;
+    const BuildInfo info = over(g);
+    Recording r;
+    r.reserve(info, {});
+    r.commands.begin();
+    r.build(info);
+    r.commands.run();
+    EXPECT_EQ(r.header().nonFinite, 2u);
+    EXPECT_EQ(r.header().leafRefCount, 1u);
+}
+
+// Short of capacity, a build says so and what it wanted; the tree answers rays all the same.
+TEST(Record, TellsWhatABuildWanted) {
+    const std::vector<Triangle> world = mixedTriangles(2000, 3);
+    const std::vector<Ray> rays = mixedRays(1000, 3);
+    const DeviceTriangles triangles(device(), world);
+    const Geometry geometry = triangles.geometry();
+    BuildInfo info = over(geometry);
+    info.capacity.nodes = 50;
+    Recording r;
+    r.reserve(info, rays);
+    r.commands.begin();
+    r.build(info);
+    r.barrier();
+    cmdTrace(r.commands.handle(), *r.context, r.traceInfo(1000));
+    r.commands.run();
+    const TreeHeader h = r.header();
+    EXPECT_EQ(h.status, TreeHeader::kShortOfCapacity);
+    EXPECT_GT(h.wanted.nodes, 50u);
+    EXPECT_EQ(h.wanted.refs, 0u);
+    EXPECT_GT(h.wantedBytes, h.bytes);
+    expectBruteForce(makeTriangleSet(world), rays, r.hits.download<Hit>(rays.size()));
+}
+
+// Two trees over the even and the odd triangles, the second traced from the hits of the first: the answers of one tree
+// over all. Triangles come in pairs in one place, so that ties across trees go to the lower number.
+TEST(Record, GoesOnFromTheHitsOfAnotherTree) {
+    std::vector<Triangle> world = mixedTriangles(600, 8);
+    for (size_t i = 0; i + 1 < world.size(); i += 6) world[i + 1] = world[i];
+    std::vector<uint32_t> even, odd;
+    for (uint32_t i = 0; i < world.size(); i++) (i % 2 == 0 ? even : odd).push_back(i);
+    const std::vector<Ray> rays = mixedRays(3000, 8);
+    const DeviceTriangles triangles(device(), world);
+    GpuBuilder builder(device());
+    const auto first = builder.build(triangles, BuildSettings{}, even).tree;
+    const auto second = builder.build(triangles, BuildSettings{}, odd).tree;
+    EXPECT_EQ(treeHash(readBack(*first)), treeHash(buildTwin(makeTriangleSet(world, even), BuildSettings{}).tree));
+    Tracer tracer(device());
+    for (const bool evenFirst : {true, false}) {
+        const DeviceTree& a = evenFirst ? *first : *second;
+        const DeviceTree& b = evenFirst ? *second : *first;
+        const std::vector<Hit> some = tracer.trace(a, rays).hits;
+        expectBruteForce(makeTriangleSet(world), rays, tracer.trace(b, rays, {}, some).hits);
+        const std::vector<Hit> any = tracer.trace(b, rays, {.query = Query::any}, some).hits;
+        for (size_t i = 0; i < rays.size(); i++) {
+            if (some[i].prim == kNone) continue;
+            ASSERT_EQ(std::memcmp(&any[i], &some[i], sizeof(Hit)), 0) << "a hit that is given ends the ray";
+        }
+    }
+}
+
+// Tiny batches and tiny step limits: many dispatches, the same answers.
+TEST(Record, AnswersAlikeInManyDispatches) {
+    const std::vector<Triangle> world = mixedTriangles(2000, 2);
+    const TriangleSet set = makeTriangleSet(world);
+    const std::vector<Ray> rays = mixedRays(2500, 2);
+    const auto tree = uploadTree(device(), set, buildExact(set, BuildSettings{}));
+    const Tracer::Result want = Tracer(device()).trace(*tree, rays);
+    Tracer small(device(), {.batch = 64, .stepLimit = 7, .mostDispatches = 1u << 20});
+    const Tracer::Result got = small.trace(*tree, rays);
+    EXPECT_EQ(std::memcmp(got.hits.data(), want.hits.data(), want.hits.size() * sizeof(Hit)), 0);
+    EXPECT_EQ(got.invalidRays, want.invalidRays);
+    EXPECT_EQ(got.cappedRays, 0u);
+    // Given up too soon: counted, and answered by no more than what was found.
+    const Tracer::Result capped = Tracer(device(), {.stepLimit = 7, .mostDispatches = 2}).trace(*tree, rays);
+    EXPECT_GT(capped.cappedRays, 0u);
+}
+
+// Rows of three workgroups: every kernel takes its share of a dispatch that is laid out in rows.
+TEST(Record, BuildsAndTracesInShortRows) {
+    DeviceOptions options;
+    options.longestRow = 3;
+    const std::unique_ptr<Device> rows = openTestDevice(options);
+    const std::vector<Triangle> world = mixedTriangles(5000, 1);
+    const std::vector<Ray> rays = mixedRays(2000, 1);
+    GpuBuilder builder(*rows), usual(device());
+    const auto tree = builder.build(DeviceTriangles(*rows, world), BuildSettings{}).tree;
+    EXPECT_EQ(treeHash(readBack(*tree)),
+              treeHash(readBack(*usual.build(DeviceTriangles(device(), world), BuildSettings{}).tree)));
+    expectBruteForce(makeTriangleSet(world), rays, Tracer(*rows).trace(*tree, rays).hits);
+}
+
+// As on a discrete GPU: no memory is mapped, and a small ring moves everything. Buffers are limited, too, so that
+// scratch memory comes in several.
+TEST(Record, WorksWithoutMappedMemory) {
+    DeviceOptions options;
+    options.maps = false;
+    options.stagingBytes = 4096;
+    options.largestAllocation = 1 << 20;
+    const std::unique_ptr<Device> discrete = openTestDevice(options);
+    const std::vector<Triangle> world = mixedTriangles(3000, 7);
+    const std::vector<Ray> rays = mixedRays(2000, 7);
+    BuildInfo info;
+    const DeviceTriangles triangles(*discrete, world);
+    const Geometry geometry = triangles.geometry();
+    info.geometries = &geometry;
+    info.geometryCount = 1;
+    info.largestRange = discrete->largestAllocation();
+    EXPECT_GT(buildSizes(info).scratchCount, 1u);
+    GpuBuilder builder(*discrete), usual(device());
+    const auto tree = builder.build(triangles, BuildSettings{}).tree;
+    EXPECT_EQ(treeHash(readBack(*tree)),
+              treeHash(readBack(*usual.build(DeviceTriangles(device(), world), BuildSettings{}).tree)));
+    expectBruteForce(makeTriangleSet(world), rays, Tracer(*discrete).trace(*tree, rays).hits);
+    EXPECT_THROW(Buffer(*discrete, (1 << 20) + 1), Error);
+}
+
+// A picture whose rays take many dispatches is the picture.
+TEST(Record, PicturesGoOnWhereTheStepLimitEndedThem) {
+    const std::vector<Triangle> world = mixedTriangles(2000, 12);
+    const TriangleSet set = makeTriangleSet(world);
+    const DeviceTriangles triangles(device(), world);
+    const auto tree = uploadTree(device(), set, buildExact(set, BuildSettings{}));
+    const std::vector<uint32_t> materialOf(world.size(), 0);
+    const std::vector<glm::vec4> colours{{0.8f, 0.5f, 0.2f, 1.0f}};
+    const DeviceMaterials materials(device(), materialOf, colours);
+    PictureRequest request;
+    request.camera.eye = {0.5, 0.5, 4.0};
+    request.camera.forward = {0, 0, -1};
+    request.camera.right = {1, 0, 0};
+    request.camera.up = {0, 1, 0};
+    request.camera.pixel = 0.6 / 60;
+    request.camera.width = 77;
+    request.camera.height = 60;
+    request.camera.tMax = infinity();
+    Tracer tracer(device());
+    Renderer usual(device(), tracer), limited(device(), tracer, {.stepLimit = 9});
+    for (const View view : {View::shaded, View::depth, View::normals}) {
+        request.view = view;
+        const Picture want = usual.render(*tree, triangles, materials, request);
+        const Picture got = limited.render(*tree, triangles, materials, request);
+        EXPECT_EQ(got.pixels, want.pixels);
+        EXPECT_EQ(got.cappedRays, 0u);
+        EXPECT_EQ(got.scaleHigh, want.scaleHigh);
+    }
+    // Hits are tile by tile, and those of their rays.
+    request.view = View::normals;
+    usual.render(*tree, triangles, materials, request);
+    expectBruteForce(set, usual.readRays(), usual.readHits());
+}
+
+}  // namespace cleave::test
