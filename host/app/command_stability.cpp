@@ -1,11 +1,12 @@
 #include <algorithm>
 
 #include "app/commands.h"
-#include "app/stability_figures.h"
+#include "app/report.h"
 #include "app/stability_trees.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "builders/builder_names.h"
+#include "figures/stability_figures.h"
 #include "formats/write_file.h"
 #include "stability/cases.h"
 

@@ -31,12 +31,6 @@ constexpr std::array<std::pair<const char*, View>, 5> kViews = {{{"shaded", View
 constexpr std::array<std::pair<const char*, AxisChoice>, 3> kAxes = {
     {{"all", AxisChoice::all}, {"widest", AxisChoice::widest}, {"cycle", AxisChoice::cycle}}};
 constexpr std::array<std::pair<const char*, bool>, 2> kSwitch = {{{"on", true}, {"off", false}}};
-constexpr std::array<std::pair<const char*, Traversal>, 2> kTraversals = {
-    {{"restart", Traversal::restart}, {"stack", Traversal::stack}}};
-constexpr std::array<std::pair<const char*, TriangleTest>, 3> kTriangleTests = {
-    {{"watertight", TriangleTest::watertight},
-     {"plain", TriangleTest::plain},
-     {"unfiltered", TriangleTest::unfiltered}}};
 
 template <typename Table>
 std::string namesIn(const Table& table) {
@@ -115,13 +109,6 @@ void addNames(CLI::App& app, const std::string& name, const std::string& text, s
     };
     app.add_option_function<std::string>(name, read, text + " (" + namesIn(table) + ")")
         ->type_name(several ? "NAME,..." : "NAME");
-}
-
-template <typename Value, size_t n>
-std::string nameIn(const std::array<std::pair<const char*, Value>, n>& table, Value value) {
-    for (const auto& [name, known] : table)
-        if (known == value) return name;
-    return "";
 }
 
 void addBuilders(CLI::App& app, Options& options, bool several) {
@@ -318,10 +305,6 @@ void complete(Options& options) {
 }
 
 }  // namespace
-
-std::string nameOf(Builder builder) { return std::string(builder.name); }
-std::string nameOf(Traversal traversal) { return nameIn(kTraversals, traversal); }
-std::string nameOf(TriangleTest test) { return nameIn(kTriangleTests, test); }
 
 uint64_t raysToJudge(const Options& options) { return options.check > 0 ? options.check : 2048; }
 

@@ -1,8 +1,10 @@
 #include "app/session.h"
 
 #include "base/error.h"
+#include "base/stopwatch.h"
 #include "base/text.h"
 #include "builders/builder_names.h"
+#include "figures/timing.h"
 #include "scene/camera.h"
 #include "twin/twin_builder.h"
 
@@ -110,22 +112,6 @@ void requireAnswered(const Tracer::Result& traced, const CheckResult& check, con
     if (check.mismatches > 0)
         throw Error("check of " + what + ": " + grouped(check.mismatches) + " of " + grouped(check.rays) +
                     " rays are answered wrongly, first: " + check.first + "; please report this scene");
-}
-
-std::string builtLine(const BuiltTree& built) {
-    return "build     " + fixed(built.ms, 3) + " ms (" + nameOf(built.builder) + "), SAH cost " +
-           fixed(built.statistics.sahCost, 2) + ", " + grouped(built.statistics.nodes) + " nodes\n";
-}
-
-std::string tracedLine(uint64_t rays, const Tracer::Result& traced) {
-    const std::string invalid = traced.invalidRays > 0 ? ", " + grouped(traced.invalidRays) + " invalid" : "";
-    return "trace     " + fixed(traced.ms, 3) + " ms, " + grouped(rays) + " rays" + invalid + ", " +
-           fixed(mraysPerSecond(rays, traced.ms), 2) + " Mrays/s\n";
-}
-
-std::string checkedLine(const CheckResult& check) {
-    return "check     " + grouped(check.rays) + " rays, " + grouped(check.mismatches) + " wrong, " +
-           grouped(check.undecided) + " undecided\n";
 }
 
 }  // namespace cleave

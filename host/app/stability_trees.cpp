@@ -1,5 +1,6 @@
 #include "app/stability_trees.h"
 
+#include "base/stopwatch.h"
 #include "builders/builder_names.h"
 #include "twin/twin_builder.h"
 

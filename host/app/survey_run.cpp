@@ -1,4 +1,4 @@
-#include "app/survey_figures.h"
+#include "app/survey_run.h"
 
 #include <algorithm>
 #include <array>
@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "base/error.h"
+#include "base/stopwatch.h"
 #include "base/text.h"
 #include "builders/builder_names.h"
 #include "scene/camera.h"
@@ -121,12 +122,6 @@ SurveyComplexity complexityOf(Run& run, const TriangleSet& set) {
 }
 
 }  // namespace
-
-const SurveyBuilder* SurveyScene::find(std::string_view builder) const {
-    for (const SurveyBuilder& figures : builders)
-        if (figures.builder.name == builder) return &figures;
-    return nullptr;
-}
 
 SurveyScene measureForSurvey(Run& run, Session& session, const std::filesystem::path& file) {
     SurveyScene scene;
