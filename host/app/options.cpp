@@ -151,8 +151,9 @@ void addBuild(CLI::App& app, Options& options, bool several) {
     addWhole(app, "--bins", "bins per axis (" + std::to_string(kBins) + ")", settings.bins, 2, kBins);
     addNamed(app, "--subsample", "bin every l-th reference of large nodes, l = max(1, floor(log10 n))",
              settings.subsample, kSwitch);
-    addWhole(app, "--exact-below", "exact SAH at so many references and below (" + std::to_string(kExactBelow) + ")",
-             settings.exactBelow, 0, kMostExactBelow);
+    addWhole(app, "--exact-up-to",
+             "exact SAH in nodes of at most so many references (" + std::to_string(kExactBelow) + ")",
+             settings.exactUpTo, 0, kMostExactBelow);
     addWhole(app, "--max-depth", "deepest leaf (by the number of triangles)", settings.maxDepth, 1, kMaxDepth);
     addWhole(app, "--leaf-size", "medians: no split at so many references and below (4)", settings.leafSize, 1,
              1u << 20);

@@ -61,7 +61,7 @@ GpuBuilder::~GpuBuilder() = default;
 GpuBuilder::Result GpuBuilder::build(std::shared_ptr<DeviceTriangles> triangles, const BuildSettings& settings) {
     const Stopwatch watch;
     const uint64_t included = triangles->includedCount;
-    const uint32_t below = settings.exactBelow;
+    const uint32_t below = settings.exactUpTo;
     Result result;
     BuildCapacity capacity = limitedCapacity(firstCapacity(included), settings.memory, included, below);
     // Without a limit the tree does not depend on the room, so a build gets what an earlier one needed.

@@ -8,7 +8,7 @@ BuildArrays makeArrays(const TriangleSet& set, const BuildSettings& settings, co
     a.settings = settings;
     a.capacity = capacity;
     a.maxDepth = depthLimit(settings, set.included.size());
-    const uint32_t chunks = chunkCapacity(capacity.refs, settings.exactBelow);
+    const uint32_t chunks = chunkCapacity(capacity.refs, settings.exactUpTo);
     for (int parity = 0; parity < 2; parity++) {
         a.refs[parity].resize(capacity.refs);
         a.nodes[parity].resize(capacity.levelNodes);

@@ -11,7 +11,7 @@ Children childrenOf(const BuildArrays& a, const BuildNode& node) {
 glm::uvec4 nodeCounts(const BuildArrays& a, const BuildNode& node) {
     if (node.split.axis == kLeafAxis) return {0, node.count, 0, 0};
     const Children c = childrenOf(a, node);
-    const uint32_t below = a.settings.exactBelow;
+    const uint32_t below = a.settings.exactUpTo;
     return {1, 0, chunksOf(c.left, below) + chunksOf(c.right, below),
             smallsOf(c.left, below) + smallsOf(c.right, below)};
 }

@@ -7,12 +7,12 @@ namespace {
 // One child: its node of the next level, and its place in the list of chunks or of small nodes.
 void emitChild(BuildArrays& a, uint32_t depth, uint32_t index, Box cell, uint32_t first, uint32_t count, uint32_t chunk,
                uint32_t small) {
-    const uint32_t chunks = chunksOf(count, a.settings.exactBelow);
+    const uint32_t chunks = chunksOf(count, a.settings.exactUpTo);
     a.nodes[(depth + 1) % 2][index] = buildNode(cell, first, count, a.state.nodeBase + index, chunk);
     for (uint32_t c = 0; c < chunks; c++) a.chunks[chunk + c] = chunkOf(index, first, count, c);
     for (uint32_t k = 0; chunks > 0 && k < kBoundsWords; k++)
         a.bounds[chunk * kBoundsWords + k] = k < 3 ? 0xFFFFFFFFu : 0u;
-    if (smallsOf(count, a.settings.exactBelow) > 0) a.smallNodes[small] = index;
+    if (smallsOf(count, a.settings.exactUpTo) > 0) a.smallNodes[small] = index;
 }
 
 }  // namespace
@@ -29,7 +29,7 @@ void emitNodes(BuildArrays& a, uint32_t depth) {
             node.leftBase = first;
         } else {
             const Children c = childrenOf(a, node);
-            const uint32_t below = a.settings.exactBelow;
+            const uint32_t below = a.settings.exactUpTo;
             const uint32_t left = 2 * before.x;
             const uint32_t first = a.offsets[node.first].x + a.offsets[node.first].y;
             node.child = left;

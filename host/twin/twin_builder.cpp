@@ -27,7 +27,7 @@ void buildLevel(BuildArrays& a, uint32_t depth) {
 
 TwinResult buildTwin(const TriangleSet& set, const BuildSettings& settings) {
     const uint64_t included = set.included.size();
-    BuildCapacity capacity = limitedCapacity(firstCapacity(included), settings.memory, included, settings.exactBelow);
+    BuildCapacity capacity = limitedCapacity(firstCapacity(included), settings.memory, included, settings.exactUpTo);
     while (true) {
         BuildArrays a = makeArrays(set, settings, capacity);
         twin::makeRefs(a);
@@ -36,14 +36,14 @@ TwinResult buildTwin(const TriangleSet& set, const BuildSettings& settings) {
             buildLevel(a, depth);
 
         const BuildCapacity larger =
-            limitedCapacity(grownCapacity(capacity, a.state), settings.memory, included, settings.exactBelow);
+            limitedCapacity(grownCapacity(capacity, a.state), settings.memory, included, settings.exactUpTo);
         if (overflowed(a.state) &&
-            bufferBytes(larger, settings.exactBelow) > bufferBytes(capacity, settings.exactBelow)) {
+            bufferBytes(larger, settings.exactUpTo) > bufferBytes(capacity, settings.exactUpTo)) {
             capacity = larger;
             continue;
         }
         TwinResult result;
-        result.peakBytes = bufferBytes(capacity, settings.exactBelow);
+        result.peakBytes = bufferBytes(capacity, settings.exactUpTo);
         result.memoryLimited = overflowed(a.state);
         result.tree.bounds = rootCell(set);
         result.tree.exponent = set.exponent;

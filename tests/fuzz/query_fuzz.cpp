@@ -49,7 +49,7 @@ void print(const QueryCase& c, const QueryFailure& failure) {
     for (const Triangle& triangle : c.triangles) std::printf("    %s\n", codeOf(triangle).c_str());
     std::printf("  ray %zu:\n    %s\n", failure.ray, codeOf(c.rays[failure.ray]).c_str());
     const BuildSettings& s = c.settings;
-    std::printf("  bins %u, exactBelow %u, maxDepth %u, leafSize %u, clip %d, axes %d\n", s.bins, s.exactBelow,
+    std::printf("  bins %u, exactUpTo %u, maxDepth %u, leafSize %u, clip %d, axes %d\n", s.bins, s.exactUpTo,
                 s.maxDepth, s.leafSize, s.clip, static_cast<int>(s.axes));
 }
 

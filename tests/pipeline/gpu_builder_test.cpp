@@ -56,7 +56,7 @@ TEST(GpuBuilder, EqualsTwinOnMadeScenes) {
         expectTwinsTree(mixedSet(n, n + 5), settings);
         settings.clip = false;
         settings.bins = 7;
-        settings.exactBelow = 3;
+        settings.exactUpTo = 3;
         settings.maxDepth = 9;
         expectTwinsTree(mixedSet(n, n + 6), settings);
     }

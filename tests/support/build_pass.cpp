@@ -72,7 +72,7 @@ const BuildPasses& buildPasses() {
 
 BuildPair::BuildPair(const TriangleSet& set, const BuildSettings& settings)
     : arrays(makeArrays(set, settings, firstCapacity(set.included.size()))),
-      buffers(device(), arrays.capacity, settings.exactBelow),
+      buffers(device(), arrays.capacity, settings.exactUpTo),
       passes(buildPasses()),
       triangles_(uploadTriangles(device(), set)) {
     buffers.bind(*triangles_, settings);
@@ -136,7 +136,7 @@ void expectPassEqualsTwin(const std::string& name, uint32_t triangleCount, uint3
     settings.clip = seed % 4 != 3;
     settings.subsample = seed % 3 != 0;
     settings.bins = seed % 3 == 2 ? 13 : kBins;
-    settings.exactBelow = seed % 5 == 4 ? 7 : seed % 2 == 1 ? 32 : kExactBelow;
+    settings.exactUpTo = seed % 5 == 4 ? 7 : seed % 2 == 1 ? 32 : kExactBelow;
     BuildPair pair(set, settings);
     twin::makeRefs(pair.arrays);
     twin::begin(pair.arrays);

@@ -47,7 +47,7 @@ class Maker {
 
     void chooseSettings() {
         BuildSettings& s = case_.settings;
-        s.exactBelow = oneOf<uint32_t>({0, 2, 8, kExactBelow});
+        s.exactUpTo = oneOf<uint32_t>({0, 2, 8, kExactBelow});
         s.bins = oneOf<uint32_t>({2, 5, kBins});
         s.leafSize = 1 + below(4);
         s.clip = !oneIn(4);
