@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "figures/names.h"
-#include "judge/oracle.h"
 #include "pass/renderer.h"
 #include "pass/tracer.h"
 #include "tree/kd_tree.h"
+#include "tree/query.h"
 
 namespace cleave {
 

@@ -14,8 +14,8 @@ constexpr CpuBuilder kCpuBuilders[] = {
     {"hunt-hybrid", buildHuntHybrid, "the same, in nodes above 1024 references along the longest axis only"},
     {"hunt-one", buildHuntOne, "the same, along the longest axis only, the others where that has no split"},
     {"shevtsov", buildShevtsov, "binned SAH, a subtree per thread, exact in small nodes (Shevtsov et al. 2007)"},
-    {"object-median", buildObjectMedian, "planes through the centre of the median box; see --axes, --leaf-size"},
-    {"spatial-median", buildSpatialMedian, "planes through the middle of the cell; see --axes, --leaf-size"},
+    {"object-median", buildObjectMedian, "planes through the centre of the median box, down to a leaf size"},
+    {"spatial-median", buildSpatialMedian, "planes through the middle of the cell, down to a leaf size"},
     {"brute", buildBrute, "no tree: one leaf that lists all triangles"},
 };
 

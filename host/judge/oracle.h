@@ -9,11 +9,10 @@
 
 #include "shared/ray.h"
 #include "tree/kd_tree.h"
+#include "tree/query.h"
 #include "tree/triangle_set.h"
 
 namespace cleave {
-
-enum class Query { closest, any };
 
 // Same arithmetic: the shared triangle function in the plainest of loops. Judges tree and traversal, compared with ==.
 // Invalid rays are misses.

@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "judge/oracle.h"
 #include "pass/device_tree.h"
 #include "shared/ray.h"
 #include "shared/trace.h"
+#include "tree/query.h"
 
 namespace cleave {
 

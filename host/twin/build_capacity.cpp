@@ -56,7 +56,7 @@ BuildCapacity limitedCapacity(BuildCapacity capacity, uint64_t bytes, uint64_t i
     BuildCapacity low{least, 1, 1, least};
     if (bufferBytes(low, exactBelow) > bytes)
         throw Error("building over " + std::to_string(included) + " triangles takes at least " +
-                    std::to_string(bufferBytes(low, exactBelow)) + " bytes, more than --memory allows; allow more");
+                    std::to_string(bufferBytes(low, exactBelow)) + " bytes, more than the memory budget; allow more");
     // The largest step between the least and the wanted that fits, all fields alike.
     constexpr uint64_t kSteps = 1024;
     auto between = [&](uint64_t step) {
