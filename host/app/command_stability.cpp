@@ -20,7 +20,7 @@ constexpr uint64_t kQuickRays = 400, kFullRays = 4000;  // per case and family
 std::vector<Builder> buildersFor(const Options& options, size_t caseIndex) {
     if (!options.builders.empty()) return options.builders;
     std::vector<Builder> all{Builder::gpu, Builder::exact}, others;
-    for (const CpuBuilder& builder : cpuBuilders())
+    for (const TreeBuilder& builder : cpuBuilders())
         if (Builder{builder.name} != Builder::exact && builder.name != "brute") others.push_back({builder.name});
     if (options.quick) others = {others[caseIndex % others.size()]};
     all.insert(all.end(), others.begin(), others.end());

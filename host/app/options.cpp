@@ -9,9 +9,9 @@
 #include <string_view>
 #include <utility>
 
+#include "app/host_builders.h"
 #include "app/option_values.h"
 #include "base/error.h"
-#include "builders/builder_names.h"
 #include "stability/cases.h"
 
 namespace cleave {
@@ -44,23 +44,21 @@ Value lookUp(const std::array<std::pair<const char*, Value>, n>& table, const st
              const std::string& name) {
     for (const auto& [known, value] : table)
         if (name == known) return value;
-    throw CLI::ValidationError(option, "'" + name + "' is not known or not built yet; there is: " + namesIn(table));
+    throw CLI::ValidationError(option, "'" + name + "' is not known; there is: " + namesIn(table));
 }
 
-// The device's builder and its twin first, then those of the CPU.
+// The device's builder, then those of the CPU.
 std::vector<std::pair<std::string_view, std::string_view>> builderDescriptions() {
     std::vector<std::pair<std::string_view, std::string_view>> builders{
-        {Builder::gpu.name, "min-max binning on the device (Shevtsov et al. 2007), the default"},
-        {Builder::twin.name, "the same on the CPU, plainly written: the same tree"}};
-    for (const CpuBuilder& builder : cpuBuilders()) builders.emplace_back(builder.name, builder.description);
+        {Builder::gpu.name, "min-max binning on the device (Shevtsov et al. 2007), the default"}};
+    for (const TreeBuilder& builder : hostBuilders()) builders.emplace_back(builder.name, builder.description);
     return builders;
 }
 
 Builder builderNamed(const std::string& name) {
     for (const auto& [known, description] : builderDescriptions())
         if (name == known) return {known};
-    throw CLI::ValidationError(
-        "--builder", "'" + name + "' is not known or not built yet; there is: " + namesIn(builderDescriptions()));
+    throw CLI::ValidationError("--builder", "'" + name + "' is not known; there is: " + namesIn(builderDescriptions()));
 }
 
 // Adds an option whose text goes through `parse`; where that gives nothing, the use is wrong and `wanted` says why.
@@ -295,7 +293,7 @@ std::string optionsOf(const CLI::App& command) {
 Command commandOf(const std::string& name) {
     for (const auto& [known, command] : kCommands)
         if (name == known) return command;
-    throw UsageError("'" + name + "' is no command or not built yet; there are: " + namesIn(kCommands));
+    throw UsageError("'" + name + "' is no command; there are: " + namesIn(kCommands));
 }
 
 void complete(Options& options) {

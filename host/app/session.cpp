@@ -1,12 +1,11 @@
 #include "app/session.h"
 
+#include "app/host_builders.h"
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
-#include "builders/builder_names.h"
 #include "figures/timing.h"
 #include "scene/camera.h"
-#include "twin/twin_builder.h"
 
 namespace cleave {
 namespace {
@@ -15,18 +14,12 @@ namespace fs = std::filesystem;
 
 // The timed part is from triangles in memory to a KdTree.
 void buildOnHost(BuiltTree& built, const TriangleSet& set, const BuildSettings& settings) {
-    BuildReport report;
     const Stopwatch watch;
-    if (built.builder == Builder::twin) {
-        TwinResult result = buildTwin(set, settings);
-        built.tree = std::move(result.tree);
-        built.memoryLimited = result.memoryLimited;
-        report.peakBytes = result.peakBytes;
-    } else {
-        built.tree = cpuBuilder(built.builder.name).build(set, settings, &report);
-    }
+    BuildOutcome outcome = hostBuilder(built.builder.name).build(set, settings);
     built.runs.push_back(watch.milliseconds());
-    built.peakBytes = report.peakBytes;
+    built.tree = std::move(outcome.tree);
+    built.peakBytes = outcome.peakBytes;
+    built.memoryLimited = outcome.memoryLimited;
 }
 
 }  // namespace

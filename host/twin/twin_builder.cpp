@@ -25,7 +25,7 @@ void buildLevel(BuildArrays& a, uint32_t depth) {
 
 }  // namespace
 
-TwinResult buildTwin(const TriangleSet& set, const BuildSettings& settings) {
+BuildOutcome buildTwin(const TriangleSet& set, const BuildSettings& settings) {
     const uint64_t included = set.included.size();
     BuildCapacity capacity = limitedCapacity(firstCapacity(included), settings.memory, included, settings.exactUpTo);
     while (true) {
@@ -42,7 +42,7 @@ TwinResult buildTwin(const TriangleSet& set, const BuildSettings& settings) {
             capacity = larger;
             continue;
         }
-        TwinResult result;
+        BuildOutcome result;
         result.peakBytes = bufferBytes(capacity, settings.exactUpTo);
         result.memoryLimited = overflowed(a.state);
         result.tree.bounds = rootCell(set);

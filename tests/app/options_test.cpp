@@ -113,7 +113,7 @@ TEST(Options, OfStability) {
 }
 
 TEST(Options, EveryBuilderOfTheCpuHasAName) {
-    for (const CpuBuilder& builder : cpuBuilders())
+    for (const TreeBuilder& builder : cpuBuilders())
         EXPECT_EQ(nameOf(parse({"info", "a.glb", "--builder", builder.name.data()}).builders.front()), builder.name);
 }
 

@@ -20,7 +20,7 @@ GpuBuilder::Result expectTwinsTree(const TriangleSet& set, const BuildSettings& 
     const auto triangles = uploadTriangles(device(), set);
     const GpuBuilder::Result first = builder.build(triangles, settings);
     const GpuBuilder::Result second = builder.build(triangles, settings);
-    const TwinResult twin = buildTwin(set, settings);
+    const BuildOutcome twin = buildTwin(set, settings);
     const KdTree tree = readBack(device(), *first.tree);
     EXPECT_EQ(treeHash(tree), treeHash(readBack(device(), *second.tree))) << "two runs differ";
     EXPECT_EQ(first.memoryLimited, twin.memoryLimited);
