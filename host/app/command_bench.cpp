@@ -1,9 +1,10 @@
 #include <algorithm>
 
 #include "app/commands.h"
-#include "app/figures.h"
-#include "app/json_report.h"
+#include "app/report.h"
 #include "base/text.h"
+#include "figures/bench_figures.h"
+#include "figures/timing.h"
 #include "formats/write_file.h"
 #include "scene/camera.h"
 #include "scene/ray_sets.h"

@@ -1,5 +1,5 @@
 #include "app/commands.h"
-#include "app/json_report.h"
+#include "app/report.h"
 #include "base/text.h"
 #include "formats/write_file.h"
 

@@ -1,9 +1,10 @@
 // cleave stability --leaks: rays from inside of closed meshes, none of which may get out.
 #include "app/commands.h"
-#include "app/json_report.h"
+#include "app/report.h"
 #include "app/stability_trees.h"
 #include "base/error.h"
 #include "base/text.h"
+#include "figures/timing.h"
 #include "stability/closed_meshes.h"
 
 namespace cleave {

@@ -1,9 +1,9 @@
 #include <glm/gtc/constants.hpp>
 
 #include "app/commands.h"
-#include "app/json_report.h"
-#include "app/legend.h"
+#include "app/report.h"
 #include "base/text.h"
+#include "figures/legend.h"
 #include "formats/png.h"
 #include "formats/write_file.h"
 #include "scene/camera.h"

@@ -1,11 +1,12 @@
 #include <algorithm>
 
 #include "app/commands.h"
-#include "app/stability_figures.h"
+#include "app/report.h"
 #include "app/stability_trees.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "builders/builder_names.h"
+#include "figures/stability_figures.h"
 #include "formats/write_file.h"
 #include "stability/cases.h"
 
@@ -19,7 +20,7 @@ constexpr uint64_t kQuickRays = 400, kFullRays = 4000;  // per case and family
 std::vector<Builder> buildersFor(const Options& options, size_t caseIndex) {
     if (!options.builders.empty()) return options.builders;
     std::vector<Builder> all{Builder::gpu, Builder::exact}, others;
-    for (const CpuBuilder& builder : cpuBuilders())
+    for (const TreeBuilder& builder : cpuBuilders())
         if (Builder{builder.name} != Builder::exact && builder.name != "brute") others.push_back({builder.name});
     if (options.quick) others = {others[caseIndex % others.size()]};
     all.insert(all.end(), others.begin(), others.end());

@@ -1,8 +1,9 @@
 // `cleave bench --survey`: the tables of the survey, measured again.
 #include "app/commands.h"
-#include "app/json_report.h"
-#include "app/survey_tables.h"
+#include "app/report.h"
+#include "app/survey_run.h"
 #include "base/text.h"
+#include "figures/survey_tables.h"
 #include "formats/write_file.h"
 
 namespace cleave {

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <utility>
 
+#include "app/host_builders.h"
 #include "app/option_values.h"
 #include "base/error.h"
-#include "builders/builder_names.h"
 #include "stability/cases.h"
 
 namespace cleave {
@@ -31,12 +31,6 @@ constexpr std::array<std::pair<const char*, View>, 5> kViews = {{{"shaded", View
 constexpr std::array<std::pair<const char*, AxisChoice>, 3> kAxes = {
     {{"all", AxisChoice::all}, {"widest", AxisChoice::widest}, {"cycle", AxisChoice::cycle}}};
 constexpr std::array<std::pair<const char*, bool>, 2> kSwitch = {{{"on", true}, {"off", false}}};
-constexpr std::array<std::pair<const char*, Traversal>, 2> kTraversals = {
-    {{"restart", Traversal::restart}, {"stack", Traversal::stack}}};
-constexpr std::array<std::pair<const char*, TriangleTest>, 3> kTriangleTests = {
-    {{"watertight", TriangleTest::watertight},
-     {"plain", TriangleTest::plain},
-     {"unfiltered", TriangleTest::unfiltered}}};
 
 template <typename Table>
 std::string namesIn(const Table& table) {
@@ -50,23 +44,21 @@ Value lookUp(const std::array<std::pair<const char*, Value>, n>& table, const st
              const std::string& name) {
     for (const auto& [known, value] : table)
         if (name == known) return value;
-    throw CLI::ValidationError(option, "'" + name + "' is not known or not built yet; there is: " + namesIn(table));
+    throw CLI::ValidationError(option, "'" + name + "' is not known; there is: " + namesIn(table));
 }
 
-// The device's builder and its twin first, then those of the CPU.
+// The device's builder, then those of the CPU.
 std::vector<std::pair<std::string_view, std::string_view>> builderDescriptions() {
     std::vector<std::pair<std::string_view, std::string_view>> builders{
-        {Builder::gpu.name, "min-max binning on the device (Shevtsov et al. 2007), the default"},
-        {Builder::twin.name, "the same on the CPU, plainly written: the same tree"}};
-    for (const CpuBuilder& builder : cpuBuilders()) builders.emplace_back(builder.name, builder.description);
+        {Builder::gpu.name, "min-max binning on the device (Shevtsov et al. 2007), the default"}};
+    for (const TreeBuilder& builder : hostBuilders()) builders.emplace_back(builder.name, builder.description);
     return builders;
 }
 
 Builder builderNamed(const std::string& name) {
     for (const auto& [known, description] : builderDescriptions())
         if (name == known) return {known};
-    throw CLI::ValidationError(
-        "--builder", "'" + name + "' is not known or not built yet; there is: " + namesIn(builderDescriptions()));
+    throw CLI::ValidationError("--builder", "'" + name + "' is not known; there is: " + namesIn(builderDescriptions()));
 }
 
 // Adds an option whose text goes through `parse`; where that gives nothing, the use is wrong and `wanted` says why.
@@ -117,13 +109,6 @@ void addNames(CLI::App& app, const std::string& name, const std::string& text, s
         ->type_name(several ? "NAME,..." : "NAME");
 }
 
-template <typename Value, size_t n>
-std::string nameIn(const std::array<std::pair<const char*, Value>, n>& table, Value value) {
-    for (const auto& [name, known] : table)
-        if (known == value) return name;
-    return "";
-}
-
 void addBuilders(CLI::App& app, Options& options, bool several) {
     const auto read = [&options, several](const std::string& given) {
         options.builders.clear();
@@ -164,7 +149,8 @@ void addBuild(CLI::App& app, Options& options, bool several) {
     addWhole(app, "--bins", "bins per axis (" + std::to_string(kBins) + ")", settings.bins, 2, kBins);
     addNamed(app, "--subsample", "bin every l-th reference of large nodes, l = max(1, floor(log10 n))",
              settings.subsample, kSwitch);
-    addWhole(app, "--exact-below", "exact SAH at so many references and below (" + std::to_string(kExactUpTo) + ")",
+    addWhole(app, "--exact-up-to",
+             "exact SAH in nodes of at most so many references (" + std::to_string(kExactUpTo) + ")",
              settings.exactUpTo, 0, kMostExactUpTo);
     addWhole(app, "--max-depth", "deepest leaf (by the number of triangles)", settings.maxDepth, 1, kMaxDepth);
     addWhole(app, "--leaf-size", "medians: no split at so many references and below (4)", settings.leafSize, 1,
@@ -307,7 +293,7 @@ std::string optionsOf(const CLI::App& command) {
 Command commandOf(const std::string& name) {
     for (const auto& [known, command] : kCommands)
         if (name == known) return command;
-    throw UsageError("'" + name + "' is no command or not built yet; there are: " + namesIn(kCommands));
+    throw UsageError("'" + name + "' is no command; there are: " + namesIn(kCommands));
 }
 
 void complete(Options& options) {
@@ -318,10 +304,6 @@ void complete(Options& options) {
 }
 
 }  // namespace
-
-std::string nameOf(Builder builder) { return std::string(builder.name); }
-std::string nameOf(Traversal traversal) { return nameIn(kTraversals, traversal); }
-std::string nameOf(TriangleTest test) { return nameIn(kTriangleTests, test); }
 
 uint64_t raysToJudge(const Options& options) { return options.check > 0 ? options.check : 2048; }
 

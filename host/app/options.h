@@ -10,27 +10,13 @@
 #include <variant>
 #include <vector>
 
-#include "judge/oracle.h"
+#include "figures/names.h"
 #include "render/cmd_render.h"
 #include "tree/kd_tree.h"
 
 namespace cleave {
 
 enum class Command { render, trace, info, bench, stability, devices };
-
-// Who builds the tree, by name: the device, its twin, or one of kdtree/builder_names.h.
-struct Builder {
-    std::string_view name;
-    bool operator==(const Builder&) const = default;
-    static const Builder gpu, twin, exact;
-};
-inline constexpr Builder Builder::gpu{"gpu"};
-inline constexpr Builder Builder::twin{"twin"};
-inline constexpr Builder Builder::exact{"exact"};
-
-std::string nameOf(Builder builder);
-std::string nameOf(Traversal traversal);
-std::string nameOf(TriangleTest test);
 
 struct Options {
     Command command = Command::devices;

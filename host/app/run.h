@@ -6,7 +6,7 @@
 #include "app/device_kit.h"
 #include "app/options.h"
 #include "app/progress.h"
-#include "app/timing.h"
+#include "base/stopwatch.h"
 
 namespace cleave {
 

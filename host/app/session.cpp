@@ -1,10 +1,11 @@
 #include "app/session.h"
 
+#include "app/host_builders.h"
 #include "base/error.h"
+#include "base/stopwatch.h"
 #include "base/text.h"
-#include "builders/builder_names.h"
+#include "figures/timing.h"
 #include "scene/camera.h"
-#include "twin/twin_builder.h"
 
 namespace cleave {
 namespace {
@@ -13,18 +14,12 @@ namespace fs = std::filesystem;
 
 // The timed part is from triangles in memory to a KdTree.
 void buildOnHost(BuiltTree& built, const TriangleSet& set, const BuildSettings& settings) {
-    BuildReport report;
     const Stopwatch watch;
-    if (built.builder == Builder::twin) {
-        TwinResult result = buildTwin(set, settings);
-        built.tree = std::move(result.tree);
-        built.memoryLimited = result.memoryLimited;
-        report.peakBytes = result.peakBytes;
-    } else {
-        built.tree = cpuBuilder(built.builder.name).build(set, settings, &report);
-    }
+    BuildOutcome outcome = hostBuilder(built.builder.name).build(set, settings);
     built.runs.push_back(watch.milliseconds());
-    built.peakBytes = report.peakBytes;
+    built.tree = std::move(outcome.tree);
+    built.peakBytes = outcome.peakBytes;
+    built.memoryLimited = outcome.memoryLimited;
 }
 
 }  // namespace
@@ -118,22 +113,6 @@ void requireAnswered(uint64_t cappedRays, const CheckResult& check, const std::s
     if (check.mismatches > 0)
         throw Error("check of " + what + ": " + grouped(check.mismatches) + " of " + grouped(check.rays) +
                     " rays are answered wrongly, first: " + check.first + "; please report this scene");
-}
-
-std::string builtLine(const BuiltTree& built) {
-    return "build     " + fixed(built.ms, 3) + " ms (" + nameOf(built.builder) + "), SAH cost " +
-           fixed(built.statistics.sahCost, 2) + ", " + grouped(built.statistics.nodes) + " nodes\n";
-}
-
-std::string tracedLine(uint64_t rays, double ms, uint64_t invalidRays) {
-    const std::string invalid = invalidRays > 0 ? ", " + grouped(invalidRays) + " invalid" : "";
-    return "trace     " + fixed(ms, 3) + " ms, " + grouped(rays) + " rays" + invalid + ", " +
-           fixed(mraysPerSecond(rays, ms), 2) + " Mrays/s\n";
-}
-
-std::string checkedLine(const CheckResult& check) {
-    return "check     " + grouped(check.rays) + " rays, " + grouped(check.mismatches) + " wrong, " +
-           grouped(check.undecided) + " undecided\n";
 }
 
 }  // namespace cleave

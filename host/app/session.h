@@ -10,30 +10,11 @@
 #include <vector>
 
 #include "app/run.h"
+#include "figures/built_tree.h"
 #include "judge/oracle.h"
-#include "measure/statistics.h"
 #include "scene/scene.h"
 
 namespace cleave {
-
-// A tree, on the host for its figures and, once asked for, on the device for rays.
-struct BuiltTree {
-    Builder builder = Builder::gpu;
-    KdTree tree;
-    std::shared_ptr<DeviceTree> onDevice;  // GPU builds; else see Session::upload
-    TreeStatistics statistics;
-    std::string hash;          // treeHash(tree)
-    std::vector<double> runs;  // ms of each build
-    // Median of the runs. GPU: warm, from triangles on the device to a tree ready to trace. CPU: from triangles in
-    // memory to a KdTree.
-    double ms = 0.0;
-    double setupMs = 0.0;  // compilation and pipelines, GPU only
-    // GPU: scratch and tree on the device. CPU builders do not count their scratch: the tree's own bytes, a lower
-    // bound.
-    uint64_t peakBytes = 0;
-    bool memoryLimited = false;
-    std::vector<PassTime> passes;  // see Session::profile
-};
 
 class Session {
   public:
@@ -75,10 +56,5 @@ std::filesystem::path defaultScene();
 
 // Throws Error if a ray was given up or the check found a wrong answer.
 void requireAnswered(uint64_t cappedRays, const CheckResult& check, const std::string& what);
-
-// A line each for the terminal.
-std::string builtLine(const BuiltTree& built);
-std::string tracedLine(uint64_t rays, double ms, uint64_t invalidRays);
-std::string checkedLine(const CheckResult& check);
 
 }  // namespace cleave

@@ -1,16 +1,12 @@
 #include "app/stability_trees.h"
 
-#include "builders/builder_names.h"
-#include "twin/twin_builder.h"
+#include "app/host_builders.h"
+#include "base/stopwatch.h"
 
 namespace cleave {
 namespace {
 
 constexpr uint64_t kStackWork = 20'000'000;  // rays times triangles of the walk on the host
-
-KdTree buildOnHost(Builder builder, const TriangleSet& set, const BuildSettings& settings) {
-    return builder == Builder::twin ? buildTwin(set, settings).tree : cpuBuilder(builder.name).build(set, settings);
-}
 
 }  // namespace
 
@@ -25,7 +21,7 @@ std::shared_ptr<TreeUnderTest> buildForTest(Run& run, Builder builder, const Tri
         tree->buildMs = result.ms;
     } else {
         const Stopwatch watch;
-        tree->tree = buildOnHost(builder, set, run.options.settings);
+        tree->tree = hostBuilder(builder.name).build(set, run.options.settings).tree;
         tree->buildMs = watch.milliseconds();
         tree->onDevice = uploadTree(run.device.device(), set, tree->tree);
     }

@@ -6,10 +6,10 @@ namespace cleave {
 namespace {
 
 void requireNodes(size_t count) {
-    if (count > kMaxLink) throw Error("the tree outgrew 2^30 nodes while it was built; lower --max-depth");
+    if (count > kMaxLink) throw Error("the tree outgrew 2^30 nodes while it was built; allow less depth");
 }
 void requireReferences(size_t count) {
-    if (count > kNone) throw Error("the tree outgrew 2^32 references while it was built; lower --max-depth");
+    if (count > kNone) throw Error("the tree outgrew 2^32 references while it was built; allow less depth");
 }
 
 }  // namespace

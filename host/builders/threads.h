@@ -1,20 +1,18 @@
-// How many threads a build has.
+// The number of threads of a build.
 #pragma once
 
-#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <cstdint>
 
 namespace cleave {
 
-// Runs body() where TBB's parallel functions use `threads` threads, whatever the machine has.
+// Runs body() in an arena of its own, so that TBB's parallel functions, nested ones too, use at most `threads` threads
+// and those of other callers are left alone. A machine with fewer cores uses fewer threads.
 template <class Body>
 void withThreads(uint32_t threads, const Body& body) {
-    if (threads <= 1) return body();
-    // The one allows more threads than the machine has, the other keeps to fewer.
-    const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, threads);
-    tbb::task_arena(static_cast<int>(threads)).execute(body);
+    tbb::task_arena(static_cast<int>(std::max(threads, 1u))).execute(body);
 }
 
 }  // namespace cleave

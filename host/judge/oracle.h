@@ -10,6 +10,7 @@
 #include "cleave/modes.hpp"
 #include "shared/ray.h"
 #include "tree/kd_tree.h"
+#include "cleave/modes.hpp"
 #include "tree/triangle_set.h"
 
 namespace cleave {

@@ -6,6 +6,7 @@
 
 #include "shared/sah.h"
 #include "tree/clipped_ref.h"
+#include "tree/walk.h"
 
 namespace cleave {
 namespace {
@@ -64,21 +65,21 @@ class Walk {
     LeafReasons count() {
         Refs refs;
         for (const uint32_t prim : set_.included) refs.push_back(wholeTriangle(set_, prim));
-        visit(0, tree_.bounds, 0, refs);
+        visit(rootVisit(tree_), refs);
         return reasons_;
     }
 
   private:
-    void visit(uint32_t index, const Box& cell, uint32_t depth, const Refs& refs) {
-        const KdNode node = tree_.nodes[index];
+    void visit(const NodeVisit& at, const Refs& refs) {
+        const KdNode node = tree_.nodes[at.node];
         if (isLeaf(node)) {
-            ++reasonOf(listed(node, refs), cell, depth);
+            ++reasonOf(listed(node, refs), at.cell, at.depth);
             return;
         }
         const Split split{0.0f, nodeAxis(node), nodePosition(node), 1u};
-        const Box left = leftOf(cell, split.axis, split.position), right = rightOf(cell, split.axis, split.position);
-        visit(nodeChild(node), left, depth + 1, onSide(refs, split, kLeft));
-        visit(nodeChild(node) + 1, right, depth + 1, onSide(refs, split, kRight));
+        const std::array<NodeVisit, 2> children = childVisits(tree_, at);
+        visit(children[0], onSide(refs, split, kLeft));
+        visit(children[1], onSide(refs, split, kRight));
     }
 
     // To which side planar references went is not written in the tree: they are taken along on both, and leaves know.

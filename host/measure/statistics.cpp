@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "tree/walk.h"
+
 namespace cleave {
 namespace {
 
@@ -12,12 +14,6 @@ double halfAreaOf(const Box& cell) {
     const dvec3 e = dvec3(cell.hi) - dvec3(cell.lo);
     return e.x * e.y + e.y * e.z + e.z * e.x;
 }
-
-struct Visit {
-    uint32_t node;
-    uint32_t depth;
-    Box cell;
-};
 
 // Sums of half areas: over inner nodes, over leaves, and over leaves times their triangles.
 struct AreaSums {
@@ -37,23 +33,17 @@ void countLeaf(TreeStatistics& s, uint32_t count, uint32_t depth) {
 
 AreaSums sumAreas(const KdTree& tree, TreeStatistics& s) {
     AreaSums sums;
-    std::vector<Visit> stack{{0, 0, tree.bounds}};
-    while (!stack.empty()) {
-        const Visit visit = stack.back();
-        stack.pop_back();
+    forEachNode(tree, [&](const NodeVisit& visit) {
         const KdNode node = tree.nodes[visit.node];
         const double area = isEmpty(tree.bounds) ? 0.0 : halfAreaOf(visit.cell);
-        if (isLeaf(node)) {
-            countLeaf(s, leafCount(node), visit.depth);
-            sums.leaves += area;
-            sums.triangles += area * leafCount(node);
-            continue;
+        if (!isLeaf(node)) {
+            sums.inner += area;
+            return;
         }
-        sums.inner += area;
-        const uint32_t child = nodeChild(node);
-        stack.push_back({child + 1, visit.depth + 1, rightOf(visit.cell, nodeAxis(node), nodePosition(node))});
-        stack.push_back({child, visit.depth + 1, leftOf(visit.cell, nodeAxis(node), nodePosition(node))});
-    }
+        countLeaf(s, leafCount(node), visit.depth);
+        sums.leaves += area;
+        sums.triangles += area * leafCount(node);
+    });
     return sums;
 }
 

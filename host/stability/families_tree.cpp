@@ -3,6 +3,7 @@
 
 #include "shared/scale.h"
 #include "stability/aim.h"
+#include "tree/walk.h"
 
 namespace cleave {
 namespace {
@@ -17,18 +18,14 @@ struct Split {
 // Up to `most` inner nodes from all over the tree. Planes that leave the range of normal floats in world space are left
 // out: a ray could not lie in them.
 std::vector<Split> splitsOf(const KdTree& tree, size_t most) {
-    struct Visit {
-        uint32_t node;
-        Box cell;
-    };
     const auto world = [&](const Box& box) {
         return Box{timesPowerOfTwo(box.lo, tree.exponent), timesPowerOfTwo(box.hi, tree.exponent)};
     };
     const size_t stride = 1 + tree.nodes.size() / most;
     std::vector<Split> splits;
-    std::vector<Visit> stack{{0, tree.bounds}};
+    std::vector<NodeVisit> stack{rootVisit(tree)};
     for (size_t seen = 0; !stack.empty(); ++seen) {
-        const Visit at = stack.back();
+        const NodeVisit at = stack.back();
         stack.pop_back();
         const KdNode node = tree.nodes[at.node];
         if (isLeaf(node)) continue;
@@ -36,8 +33,7 @@ std::vector<Split> splitsOf(const KdTree& tree, size_t most) {
         const float position = nodePosition(node), placed = timesPowerOfTwo(position, tree.exponent);
         if (seen % stride == 0 && timesPowerOfTwo(placed, -tree.exponent) == position)
             splits.push_back({axis, placed, world(at.cell)});
-        stack.push_back({nodeChild(node), leftOf(at.cell, nodeAxis(node), position)});
-        stack.push_back({nodeChild(node) + 1, rightOf(at.cell, nodeAxis(node), position)});
+        for (const NodeVisit& child : childVisits(tree, at)) stack.push_back(child);
     }
     return splits;
 }

@@ -25,7 +25,7 @@ enum class AxisChoice { all, widest, cycle };
 // What shapes a tree, for all builders that know the knob.
 struct BuildSettings {
     uint32_t bins = kBins;                // per axis, 2 to 32
-    uint32_t exactUpTo = kExactUpTo;    // exact SAH at so many references and below, at most kMostExactUpTo
+    uint32_t exactUpTo = kExactUpTo;      // exact SAH in nodes of at most so many references, up to kMostExactUpTo
     uint32_t maxDepth = 0;                // deepest leaf, at most kMaxDepth; 0: round(8 + 1.3 log2 N)
     AxisChoice axes = AxisChoice::cycle;  // of median builders
     uint32_t leafSize = 4;                // median builders stop at so many references

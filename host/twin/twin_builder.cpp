@@ -44,7 +44,7 @@ BuildInfo infoFor(const TriangleSet& set, const BuildSettings& settings, Geometr
 
 }  // namespace
 
-TwinResult buildTwin(const TriangleSet& set, const BuildSettings& settings) {
+BuildOutcome buildTwin(const TriangleSet& set, const BuildSettings& settings) {
     Geometry all;
     BuildInfo info = infoFor(set, settings, all);
     info.capacity = requireCapacity(info, settings.memory);
@@ -52,7 +52,7 @@ TwinResult buildTwin(const TriangleSet& set, const BuildSettings& settings) {
         BuildArrays a = built(set, info);
         const Capacity wanted{a.header.wantedRefs, a.header.wantedLevelNodes, a.header.wantedNodes,
                               a.header.wantedLeafRefs};
-        TwinResult result;
+        BuildOutcome result;
         result.memoryLimited = a.header.status == kShortOfCapacity;
         result.peakBytes = buildBytes(info);
         if (result.memoryLimited && growCapacity(info, wanted, settings.memory)) continue;

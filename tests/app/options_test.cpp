@@ -52,7 +52,7 @@ TEST(Options, RenderTakesThemAll) {
                "--eye",   "-1,2e0,-.5",    "--look", "0,0,0",       "--fov",   "30",        "--view",   "leaves",
                "--check", "100",           "--json", "c.json",      "--quiet", "--builder", "exact",    "--traversal",
                "restart", "--device",      "llvm",   "--threads",   "3",       "--memory",  "512M",     "--bins",
-               "16",      "--exact-below", "8",      "--max-depth", "20",      "--clip",    "off",      "--subsample",
+               "16",      "--exact-up-to", "8",      "--max-depth", "20",      "--clip",    "off",      "--subsample",
                "off"});
     EXPECT_EQ(o.scenes.front(), "a.glb");
     EXPECT_EQ(o.output, "b.png");
@@ -113,7 +113,7 @@ TEST(Options, OfStability) {
 }
 
 TEST(Options, EveryBuilderOfTheCpuHasAName) {
-    for (const CpuBuilder& builder : cpuBuilders())
+    for (const TreeBuilder& builder : cpuBuilders())
         EXPECT_EQ(nameOf(parse({"info", "a.glb", "--builder", builder.name.data()}).builders.front()), builder.name);
 }
 
@@ -185,7 +185,7 @@ TEST(Options, BadValues) {
         expectRefused({"render", "--check", count}, "whole number");
     expectRefused({"render", "--bins", "1"}, "from 2 to 32");
     expectRefused({"render", "--bins", "33"}, "from 2 to 32");
-    expectRefused({"render", "--exact-below", "1025"}, "from 0 to 1024");
+    expectRefused({"render", "--exact-up-to", "1025"}, "from 0 to 1024");
     expectRefused({"render", "--max-depth", "64"}, "from 1 to 63");
     expectRefused({"render", "--threads", "0"}, "from 1 to");
     expectRefused({"bench", "a.glb", "--runs", "0"}, "from 1 to");

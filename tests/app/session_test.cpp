@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "figures/timing.h"
 #include "support/program.h"
 
 namespace cleave::test {

@@ -42,9 +42,9 @@ std::vector<std::vector<Triangle>> extremeScenes() {
     return scenes;
 }
 
-void expectRightAnswers(const CpuBuilder& builder, const TriangleSet& set, const std::vector<Ray>& rays) {
+void expectRightAnswers(const TreeBuilder& builder, const TriangleSet& set, const std::vector<Ray>& rays) {
     const BuildSettings settings;
-    const KdTree tree = builder.build(set, settings);
+    const KdTree tree = builder.build(set, settings).tree;
     const ValidationReport report = validate(tree, set, depthLimit(settings, set.included.size()));
     EXPECT_TRUE(report.ok()) << report.errors.front();
     for (const Ray& ray : rays) {
@@ -53,7 +53,7 @@ void expectRightAnswers(const CpuBuilder& builder, const TriangleSet& set, const
     }
 }
 
-class EveryBuilder : public testing::TestWithParam<CpuBuilder> {};
+class EveryBuilder : public testing::TestWithParam<TreeBuilder> {};
 
 TEST_P(EveryBuilder, AnswersOnRandomSnappedScenes) {
     for (uint32_t seed = 0; seed < 40; ++seed) {
@@ -84,11 +84,11 @@ TEST_P(EveryBuilder, GivesValidTreesOfExtremeScenes) {
 
 TEST_P(EveryBuilder, GivesTheSameTreeTwice) {
     const TriangleSet set = makeTriangleSet(test::soup(11, 2000, 0.05f));
-    EXPECT_EQ(treeHash(GetParam().build(set, {})), treeHash(GetParam().build(set, {})));
+    EXPECT_EQ(treeHash(GetParam().build(set, {}).tree), treeHash(GetParam().build(set, {}).tree));
 }
 
 TEST_P(EveryBuilder, IsFoundByItsName) {
-    EXPECT_EQ(cpuBuilder(GetParam().name).function, GetParam().function);
+    EXPECT_EQ(cpuBuilder(GetParam().name).build, GetParam().build);
     EXPECT_FALSE(GetParam().description.empty());
 }
 
@@ -101,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(Cpu, EveryBuilder, testing::ValuesIn(cpuBuilders().begi
 
 TEST(CpuBuilders, NamesAreDistinctAndOthersRefused) {
     std::set<std::string_view> names;
-    for (const CpuBuilder& builder : cpuBuilders()) names.insert(builder.name);
+    for (const TreeBuilder& builder : cpuBuilders()) names.insert(builder.name);
     EXPECT_EQ(names.size(), cpuBuilders().size());
     EXPECT_EQ(cpuBuilders().front().name, "exact");
     try {
@@ -115,6 +115,6 @@ TEST(CpuBuilders, NamesAreDistinctAndOthersRefused) {
 
 }  // namespace
 
-void PrintTo(const CpuBuilder& builder, std::ostream* out) { *out << builder.name; }
+void PrintTo(const TreeBuilder& builder, std::ostream* out) { *out << builder.name; }
 
 }  // namespace cleave

@@ -53,9 +53,9 @@ TEST(LeafReasons, exactTreesStopForGoodReasons) {
     for (uint32_t seed = 1; seed <= 20; ++seed) {
         const TriangleSet set =
             makeTriangleSet(seed % 2 == 0 ? integerSoup(seed, 300, 6) : soup(seed, 300, seed % 3 == 0 ? 0.5f : 0.05f));
-        for (const CpuBuilder& builder : cpuBuilders()) {
+        for (const TreeBuilder& builder : cpuBuilders()) {
             SCOPED_TRACE(std::string(builder.name) + ", seed " + std::to_string(seed));
-            const KdTree tree = builder.build(set, {});
+            const KdTree tree = builder.build(set, {}).tree;
             const LeafReasons reasons = countLeafReasons(tree, set, {});
             const TreeStatistics statistics = computeStatistics(tree);
             EXPECT_EQ(sumOf(reasons), statistics.leaves);

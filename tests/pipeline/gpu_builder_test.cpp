@@ -22,7 +22,7 @@ GpuBuilder::Result expectTwinsTree(const std::vector<Triangle>& world, const Bui
     const DeviceTriangles triangles(device(), world);
     const GpuBuilder::Result first = builder.build(triangles, settings);
     const GpuBuilder::Result second = builder.build(triangles, settings);
-    const TwinResult twin = buildTwin(set, settings);
+    const BuildOutcome twin = buildTwin(set, settings);
     const KdTree tree = readBack(*first.tree);
     EXPECT_EQ(treeHash(tree), treeHash(readBack(*second.tree))) << "two runs differ";
     EXPECT_EQ(first.memoryLimited, twin.memoryLimited);

@@ -33,7 +33,7 @@ TraversalUnderTest onDevice(const char* name, Traversal traversal) {
 std::shared_ptr<TreeUnderTest> hostTree(const char* builder, const TriangleSet& set) {
     auto tree = std::make_shared<TreeUnderTest>();
     tree->builder = builder;
-    tree->tree = cpuBuilder(builder).build(set, {});
+    tree->tree = cpuBuilder(builder).build(set, {}).tree;
     return tree;
 }
 
@@ -152,7 +152,7 @@ TEST(Leaks, AMillionRaysStayInside) {
     for (const ClosedMesh& mesh : meshes) {
         SCOPED_TRACE(mesh.name);
         const TriangleSet set = makeTriangleSet(mesh.triangles);
-        const auto tree = uploadTree(test::device(), set, cpuBuilder("exact").build(set, {}));
+        const auto tree = uploadTree(test::device(), set, cpuBuilder("exact").build(set, {}).tree);
         const std::vector<Ray> rays = leakRays(mesh, 1'000'000 / meshes.size(), kSeed);
         countLeaks(leaks, rays, tracer().trace(*tree, rays).hits);
         EXPECT_EQ(leaks.leaks, 0u);

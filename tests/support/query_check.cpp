@@ -120,8 +120,8 @@ struct QueryCheck::Impl {
         if (treeHash(built) != treeHash(twin)) return QueryFailure{0, "gpu: its tree is not the twin's"};
         if (Failure f = checkTree(c, set, built, "gpu")) return f;
         if (Failure f = trace(c, set, hits, *onDevice, "gpu")) return f;
-        for (const CpuBuilder& cpu : cpuBuilders()) {
-            const KdTree tree = cpu.build(set, c.settings);
+        for (const TreeBuilder& cpu : cpuBuilders()) {
+            const KdTree tree = cpu.build(set, c.settings).tree;
             const std::string name(cpu.name);
             if (Failure f = checkTree(c, set, tree, name)) return f;
             if (Failure f = trace(c, set, hits, *uploadTree(device, set, tree), name)) return f;

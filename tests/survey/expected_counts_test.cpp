@@ -137,9 +137,9 @@ TEST(ExpectedCounts, AreWhatUniformLinesMeet) {
         kLines);
     for (const NamedScene& scene : scenes()) {
         const TriangleSet set = makeTriangleSet(scene.triangles);
-        for (const CpuBuilder& builder : cpuBuilders()) {
+        for (const TreeBuilder& builder : cpuBuilders()) {
             SCOPED_TRACE(testing::Message() << scene.name << ", " << builder.name);
-            const KdTree tree = builder.build(set, {});
+            const KdTree tree = builder.build(set, {}).tree;
             const TreeStatistics s = computeStatistics(tree);
             ASSERT_TRUE(s.expectedInner && s.expectedLeaves && s.expectedTriangles);
             const Means means = walkLines(tree, kLines, ++seed);

@@ -31,7 +31,7 @@ TEST(Straddling, OfTheRootAreTheTrianglesWithCornersOnBothSides) {
         const TriangleSet set = makeTriangleSet(test::soup(seed, 500, 0.02f + 0.02f * static_cast<float>(seed)));
         for (const std::string_view builder : {"exact", "hunt-one", "spatial-median"}) {
             SCOPED_TRACE(testing::Message() << builder << " seed " << seed);
-            const KdTree tree = cpuBuilder(builder).build(set, {});
+            const KdTree tree = cpuBuilder(builder).build(set, {}).tree;
             if (isLeaf(tree.nodes[0])) continue;
             const CutNode root = cutNodes(tree).back();
             EXPECT_EQ(root.triangles, 500u);
@@ -72,7 +72,7 @@ struct Measured {
 };
 
 Measured measure(const char* scene, const std::vector<Triangle>& triangles, std::string_view builder) {
-    const std::vector<CutNode> nodes = cutNodes(cpuBuilder(builder).build(makeTriangleSet(triangles), {}));
+    const std::vector<CutNode> nodes = cutNodes(cpuBuilder(builder).build(makeTriangleSet(triangles), {}).tree);
     Measured m{fitStraddling(nodes)};
     for (const CutNode& node : nodes)
         m.worst = std::max(m.worst, node.straddling / std::sqrt(static_cast<double>(node.triangles)));

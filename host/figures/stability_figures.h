@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/json_report.h"
+#include "figures/json.h"
 #include "stability/cell.h"
 
 namespace cleave {

@@ -1,8 +1,9 @@
-#include "app/survey_tables.h"
+#include "figures/survey_tables.h"
 
 #include <cmath>
 
 #include "base/text.h"
+#include "figures/timing.h"
 
 namespace cleave {
 namespace {

@@ -1,9 +1,10 @@
-#include "app/figures.h"
+#include "figures/bench_figures.h"
 
 #include <gtest/gtest.h>
 
-#include "app/json_report.h"
 #include "base/text.h"
+#include "figures/json.h"
+#include "figures/timing.h"
 
 namespace cleave::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/legend.h"
+#include "figures/legend.h"
 
 #include <algorithm>
 #include <array>

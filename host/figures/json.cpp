@@ -1,26 +1,13 @@
-#include "app/json_report.h"
+#include "figures/json.h"
 
 #include <cmath>
 
-#include "formats/write_file.h"
+#include "figures/timing.h"
 
 namespace cleave {
 
 Json numberJson(std::optional<double> value) { return value ? numberJson(*value) : Json(nullptr); }
 Json numberJson(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-Json sceneJson(const Session& session) {
-    // The kinds that scripts look for are there also where their count is 0.
-    Json leftOut{{"points", 0}, {"lines", 0}};
-    for (const auto& [what, count] : session.scene().leftOut) leftOut[what] = count;
-    leftOut["nonFinite"] = session.set().nonFinite;
-    leftOut["noArea"] = session.set().noArea;
-    return {{"name", session.scene().name},
-            {"triangles", session.scene().triangles.size()},
-            {"leftOut", leftOut},
-            {"materials", session.scene().materials.size()},
-            {"cameras", session.scene().cameras.size()}};
-}
 
 Json buildJson(const BuiltTree& built) {
     const TreeStatistics& s = built.statistics;
@@ -65,18 +52,6 @@ Json checkJson(const CheckResult& result) {
               {"maxRelativeTError", numberJson(result.maxRelativeTError)}};
     if (!result.first.empty()) json["first"] = result.first;
     return json;
-}
-
-void writeReport(const Run& run, Json report) {
-    if (!run.options.json) return;
-    const std::optional<std::string> name = run.device.name();
-    report["device"] = {{"name", name ? Json(*name) : Json(nullptr)}};
-    const TransferCount transfers = run.device.transfers();
-    report["transfer"] = {{"upBytes", transfers.upBytes}, {"downBytes", transfers.downBytes}};
-    report["process"] = {{"peakBytes", processPeakBytes()}};
-    report["total"] = {{"ms", numberJson(run.total.milliseconds())}};
-    // Names come from files and may be no UTF-8; what is not is replaced.
-    writeFile(*run.options.json, report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace cleave

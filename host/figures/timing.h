@@ -5,8 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "base/stopwatch.h"
-
 namespace cleave {
 
 // The middle value, or the mean of the two middle ones. `values` is not empty.

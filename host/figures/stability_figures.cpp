@@ -1,4 +1,4 @@
-#include "app/stability_figures.h"
+#include "figures/stability_figures.h"
 
 #include <algorithm>
 #include <cstdio>

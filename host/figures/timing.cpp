@@ -1,4 +1,4 @@
-#include "app/timing.h"
+#include "figures/timing.h"
 
 #include <sys/resource.h>
 

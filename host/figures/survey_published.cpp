@@ -1,4 +1,4 @@
-#include "app/survey_published.h"
+#include "figures/survey_published.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,13 +1,15 @@
 // What `cleave bench --survey` measures of a scene.
 #pragma once
 
-#include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "app/session.h"
-#include "app/survey_published.h"
 #include "builders/builders.h"
+#include "figures/names.h"
+#include "figures/survey_published.h"
+#include "judge/oracle.h"
+#include "measure/statistics.h"
 #include "measure/straddling.h"
 
 namespace cleave {
@@ -47,10 +49,5 @@ struct SurveyScene {
     // Null if the builder was not measured.
     const SurveyBuilder* find(std::string_view builder) const;
 };
-
-// Builds and traces with every builder of the survey that there is, after judging a sample of the rays. Builders take
-// turns, so that what else the machine does disturbs all alike. Throws Error if an answer is wrong, or if the two exact
-// builds differ.
-SurveyScene measureForSurvey(Run& run, Session& session, const std::filesystem::path& file);
 
 }  // namespace cleave

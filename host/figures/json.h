@@ -3,13 +3,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/session.h"
+#include "figures/built_tree.h"
 
 namespace cleave {
 
 using Json = nlohmann::ordered_json;
 
-Json sceneJson(const Session& session);
 Json buildJson(const BuiltTree& built);
 // Closest or any hits of `rays` rays in `ms` milliseconds.
 Json traceJson(Traversal traversal, TriangleTest test, uint64_t rays, double ms, uint64_t invalidRays,
@@ -19,8 +18,5 @@ Json checkJson(const CheckResult& result);
 // A finite number, or null: JSON knows no infinity.
 Json numberJson(double value);
 Json numberJson(std::optional<double> value);
-
-// Adds device and total, and writes the file of --json where one is asked for.
-void writeReport(const Run& run, Json report);
 
 }  // namespace cleave

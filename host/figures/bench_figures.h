@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/session.h"
+#include "figures/built_tree.h"
 
 namespace cleave {
 

@@ -1,8 +1,9 @@
-#include "app/figures.h"
+#include "figures/bench_figures.h"
 
 #include <algorithm>
 
 #include "base/text.h"
+#include "figures/timing.h"
 
 namespace cleave {
 namespace {

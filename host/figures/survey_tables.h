@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/survey_figures.h"
+#include "figures/survey_figures.h"
 
 namespace cleave {
 

@@ -1,4 +1,4 @@
-#include "app/survey_figures.h"
+#include "app/survey_run.h"
 
 #include <algorithm>
 #include <array>
@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "base/error.h"
+#include "base/stopwatch.h"
 #include "base/text.h"
 #include "builders/builder_names.h"
 #include "scene/camera.h"
@@ -23,9 +24,9 @@ struct SurveyRays {
 };
 
 bool isThere(std::string_view name) {
-    const std::span<const CpuBuilder> builders = cpuBuilders();
+    const std::span<const TreeBuilder> builders = cpuBuilders();
     return name == Builder::gpu.name || std::any_of(builders.begin(), builders.end(),
-                                                    [&](const CpuBuilder& builder) { return builder.name == name; });
+                                                    [&](const TreeBuilder& builder) { return builder.name == name; });
 }
 
 std::vector<Hit> traceJudged(Run& run, Session& session, const DeviceTree& tree, std::span<const Ray> rays,
@@ -77,7 +78,7 @@ BuiltTree buildTimed(Run& run, Session& session, SurveyBuilder& figures) {
         figures.allThreads.push_back(built.ms);
         return built;
     }
-    const CpuBuilder& builder = cpuBuilder(built.builder.name);
+    const TreeBuilder& builder = cpuBuilder(built.builder.name);
     BuildSettings alone = run.options.settings;
     alone.threads = 1;
     const std::clock_t before = std::clock();
@@ -86,7 +87,7 @@ BuiltTree buildTimed(Run& run, Session& session, SurveyBuilder& figures) {
     figures.oneThread.push_back(one.milliseconds());
     figures.oneCpu.push_back(1000.0 * static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC);
     const Stopwatch all;
-    built.tree = builder.build(session.set(), run.options.settings);
+    built.tree = builder.build(session.set(), run.options.settings).tree;
     figures.allThreads.push_back(all.milliseconds());
     return built;
 }
@@ -121,12 +122,6 @@ SurveyComplexity complexityOf(Run& run, const TriangleSet& set) {
 }
 
 }  // namespace
-
-const SurveyBuilder* SurveyScene::find(std::string_view builder) const {
-    for (const SurveyBuilder& figures : builders)
-        if (figures.builder.name == builder) return &figures;
-    return nullptr;
-}
 
 SurveyScene measureForSurvey(Run& run, Session& session, const std::filesystem::path& file) {
     SurveyScene scene;

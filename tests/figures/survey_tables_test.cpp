@@ -1,4 +1,4 @@
-#include "app/survey_tables.h"
+#include "figures/survey_tables.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,25 @@
+#include "app/host_builders.h"
+
+#include <vector>
+
+#include "builders/builder_names.h"
+#include "twin/twin_builder.h"
+
+namespace cleave {
+
+std::span<const TreeBuilder> hostBuilders() {
+    static const std::vector<TreeBuilder> builders = [] {
+        std::vector<TreeBuilder> all{{"twin", buildTwin, "the same on the CPU, plainly written: the same tree"}};
+        all.insert(all.end(), cpuBuilders().begin(), cpuBuilders().end());
+        return all;
+    }();
+    return builders;
+}
+
+const TreeBuilder& hostBuilder(std::string_view name) {
+    for (const TreeBuilder& builder : hostBuilders())
+        if (builder.name == name) return builder;
+    return cpuBuilder(name);  // which says what there is
+}
+
+}  // namespace cleave

@@ -1,0 +1,33 @@
+#include "app/report.h"
+
+#include "figures/timing.h"
+#include "formats/write_file.h"
+
+namespace cleave {
+
+Json sceneJson(const Session& session) {
+    // The kinds that scripts look for are there also where their count is 0.
+    Json leftOut{{"points", 0}, {"lines", 0}};
+    for (const auto& [what, count] : session.scene().leftOut) leftOut[what] = count;
+    leftOut["nonFinite"] = session.set().nonFinite;
+    leftOut["noArea"] = session.set().noArea;
+    return {{"name", session.scene().name},
+            {"triangles", session.scene().triangles.size()},
+            {"leftOut", leftOut},
+            {"materials", session.scene().materials.size()},
+            {"cameras", session.scene().cameras.size()}};
+}
+
+void writeReport(const Run& run, Json report) {
+    if (!run.options.json) return;
+    const std::optional<std::string> name = run.device.name();
+    report["device"] = {{"name", name ? Json(*name) : Json(nullptr)}};
+    const TransferCount transfers = run.device.transfers();
+    report["transfer"] = {{"upBytes", transfers.upBytes}, {"downBytes", transfers.downBytes}};
+    report["process"] = {{"peakBytes", processPeakBytes()}};
+    report["total"] = {{"ms", numberJson(run.total.milliseconds())}};
+    // Names come from files and may be no UTF-8; what is not is replaced.
+    writeFile(*run.options.json, report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace cleave

@@ -1,0 +1,34 @@
+// Builders, traversals and triangle tests by name: as the command line takes them and as figures show them.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "cleave/modes.hpp"
+
+namespace cleave {
+
+// Who builds the tree, by name: the device, its twin, or one of builders/builder_names.h.
+struct Builder {
+    std::string_view name;
+    bool operator==(const Builder&) const = default;
+    static const Builder gpu, twin, exact;
+};
+inline constexpr Builder Builder::gpu{"gpu"};
+inline constexpr Builder Builder::twin{"twin"};
+inline constexpr Builder Builder::exact{"exact"};
+
+inline constexpr std::array<std::pair<const char*, Traversal>, 2> kTraversals = {
+    {{"restart", Traversal::restart}, {"stack", Traversal::stack}}};
+inline constexpr std::array<std::pair<const char*, TriangleTest>, 3> kTriangleTests = {
+    {{"watertight", TriangleTest::watertight},
+     {"plain", TriangleTest::plain},
+     {"unfiltered", TriangleTest::unfiltered}}};
+
+std::string nameOf(Builder builder);
+std::string nameOf(Traversal traversal);
+std::string nameOf(TriangleTest test);
+
+}  // namespace cleave
