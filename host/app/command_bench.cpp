@@ -43,12 +43,14 @@ SetFigures measure(Run& run, Session& session, const DeviceTree& tree, const Ray
                    const std::string& name, std::vector<Hit>* hits) {
     SetFigures figures;
     figures.rays = set.rays.size();
+    figures.hitsHash = hitsHash({}, set.query);
     if (set.rays.empty()) return figures;
     run.progress.phase("tracing " + name + " rays");
     Tracer& tracer = run.device.tracer();
     Tracer::Result traced = tracer.trace(tree, set.rays, mode);
     figures.invalidRays = traced.invalidRays;
     figures.cappedRays = traced.cappedRays;
+    figures.hitsHash = hitsHash(traced.hits, set.query);
     figures.check = session.check(set.rays, traced.hits, set.query, raysToJudge(run.options));
     if (mode.test != TriangleTest::plain)
         requireAnswered(traced.cappedRays, figures.check, session.scene().name + ", " + name + " rays");
@@ -95,6 +97,7 @@ Json modeJson(const ModeFigures& mode) {
         const SetFigures& set = mode.sets[i];
         Json& json = sets[kRaySets[i]];
         json = traceJson(mode.traversal, mode.test, set.rays, set.ms, set.invalidRays, set.cappedRays);
+        json["hitsHash"] = set.hitsHash;
         json["check"] = checkJson(set.check);
         if (set.resolvedShare) json["resolvedShare"] = *set.resolvedShare;
         sum.add(set.check);

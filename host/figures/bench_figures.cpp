@@ -1,7 +1,9 @@
 #include "figures/bench_figures.h"
 
 #include <algorithm>
+#include <bit>
 
+#include "base/hash.h"
 #include "base/text.h"
 #include "figures/timing.h"
 
@@ -86,6 +88,21 @@ std::string rayTable(const std::vector<BuilderFigures>& figures) {
     for (const BuilderFigures& f : figures)
         for (const ModeFigures& mode : f.modes) rows.push_back(rayRow(f.built.builder, mode, modesDiffer));
     return alignedTable(rows, (modesDiffer ? "lll" : "l") + std::string(head.size() - (modesDiffer ? 3 : 1), 'r'));
+}
+
+std::string hitsHash(std::span<const Hit> hits, Query query) {
+    Hash hash;
+    for (const Hit& hit : hits) {
+        if (query == Query::any) {
+            hash.add(hit.prim != kNone);
+            continue;
+        }
+        hash.add(std::bit_cast<uint32_t>(hit.t));
+        hash.add(hit.prim);
+        hash.add(std::bit_cast<uint32_t>(hit.u));
+        hash.add(std::bit_cast<uint32_t>(hit.v));
+    }
+    return hash.text();
 }
 
 std::string kernelLines(const std::vector<BuilderFigures>& figures) {

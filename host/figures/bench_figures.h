@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct SetFigures {
     uint64_t invalidRays = 0;
     uint64_t cappedRays = 0;
     CheckResult check;
+    std::string hitsHash;
     std::optional<double> resolvedShare;  // of the triangle tests: those decided in double; where tests are compared
 };
 
@@ -38,6 +40,10 @@ struct BuilderFigures {
 std::string treeTable(const std::vector<BuilderFigures>& figures, uint64_t included);
 // A row per builder and mode.
 std::string rayTable(const std::vector<BuilderFigures>& figures);
+
+// A hash of the answers, 16 hexadecimal digits: of every bit of closest hits, in the order of their rays. Of any hits
+// only which rays hit counts, for the triangle that is found first depends on the tree.
+std::string hitsHash(std::span<const Hit> hits, Query query);
 
 // Where the time of GPU builds goes, in per cent by kernel, the dearest first; empty without one.
 std::string kernelLines(const std::vector<BuilderFigures>& figures);

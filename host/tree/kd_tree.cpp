@@ -1,30 +1,12 @@
 #include "tree/kd_tree.h"
 
 #include <algorithm>
-#include <array>
-
 #include "base/error.h"
+#include "base/hash.h"
 #include "shared/build.h"
 
 namespace cleave {
 namespace {
-
-// FNV-1a over 32-bit words, finished by the mixer of MurmurHash3.
-class Hash {
-  public:
-    void add(uint32_t word) {
-        for (int shift = 0; shift < 32; shift += 8) state_ = (state_ ^ (word >> shift & 0xFFu)) * 0x100000001B3u;
-    }
-    uint64_t value() const {
-        uint64_t h = state_;
-        h = (h ^ h >> 33) * 0xFF51AFD7ED558CCDu;
-        h = (h ^ h >> 33) * 0xC4CEB9FE1A85EC53u;
-        return h ^ h >> 33;
-    }
-
-  private:
-    uint64_t state_ = 0xCBF29CE484222325u;
-};
 
 [[noreturn]] void refuse(uint64_t node) {
     throw Error("cannot hash the tree: node " + std::to_string(node) +
@@ -41,12 +23,6 @@ void addLeaf(Hash& hash, const KdTree& tree, uint32_t node, std::vector<uint32_t
     hash.add(kLeafAxis);
     hash.add(static_cast<uint32_t>(count));
     for (const uint32_t triangle : list) hash.add(triangle);
-}
-
-std::string hexadecimal(uint64_t value) {
-    std::string text(16, '0');
-    for (size_t i = 0; i < 16; ++i) text[i] = "0123456789abcdef"[value >> (60 - 4 * i) & 15u];
-    return text;
 }
 
 }  // namespace
@@ -75,7 +51,7 @@ std::string treeHash(const KdTree& tree) {
         queue.push_back(child);
         queue.push_back(child + 1);
     }
-    return hexadecimal(hash.value());
+    return hash.text();
 }
 
 }  // namespace cleave

@@ -259,6 +259,12 @@ TEST_F(Program, BenchShowsBuildersSideBySide) {
     }
     ASSERT_EQ(report["builders"].size(), 2u);
     EXPECT_EQ(report["builders"][1]["build"]["builder"], "exact");
+    for (const char* set : {"primary", "diffuse", "shadow"}) {
+        const std::string hash = report["sets"][set]["hitsHash"];
+        EXPECT_EQ(hash.size(), 16u) << set;
+        EXPECT_EQ(report["builders"][1]["sets"][set]["hitsHash"], hash) << set << " rays have one answer";
+    }
+    EXPECT_NE(report["sets"]["primary"]["hitsHash"], report["sets"]["diffuse"]["hitsHash"]);
     EXPECT_EQ(report["check"]["rays"], 3 * 64);
 }
 

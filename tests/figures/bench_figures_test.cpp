@@ -20,7 +20,7 @@ BuilderFigures figuresOf(Builder builder, double sahCost, uint64_t references) {
     f.built.statistics.maxDepth = 9;
     f.built.statistics.sahCost = sahCost;
     f.modes.resize(1);
-    f.modes[0].sets[0] = {1000000, 500.0, 0, 0, {}, {}};
+    f.modes[0].sets[0] = {1000000, 500.0, 0, 0, {}, {}, {}};
     f.modes[0].sets[0].check.rays = 2048;
     return f;
 }
@@ -97,6 +97,39 @@ TEST(BenchTable, KernelsByTheirShare) {
     EXPECT_EQ(kernelLines({figures}), "");
     figures.built.passes = {{"bin", 1.0}, {"classify", 3.0}};
     EXPECT_EQ(kernelLines({figures}), "gpu build by kernel, %: classify 75.0 bin 25.0\n");
+}
+
+std::vector<Hit> threeHits() {
+    return {{1.0f, 7, 0.25f, 0.5f}, {infinity(), kNone, 0.0f, 0.0f}, {2.0f, 3, 0.0f, 1.0f}};
+}
+
+TEST(HitsHash, SeesEveryBitOfClosestHitsAndTheirOrder) {
+    const std::vector<Hit> hits = threeHits();
+    const std::string hash = hitsHash(hits, Query::closest);
+    EXPECT_EQ(hash.size(), 16u);
+    EXPECT_EQ(hash.find_first_not_of("0123456789abcdef"), std::string::npos) << hash;
+    EXPECT_EQ(hitsHash(threeHits(), Query::closest), hash);
+    for (size_t bit = 0; bit < hits.size() * sizeof(Hit) * 8; ++bit) {
+        std::vector<Hit> other = hits;
+        reinterpret_cast<unsigned char*>(other.data())[bit / 8] ^= static_cast<unsigned char>(1u << bit % 8);
+        EXPECT_NE(hitsHash(other, Query::closest), hash) << "bit " << bit;
+    }
+    std::vector<Hit> swapped = hits;
+    std::swap(swapped[0], swapped[2]);
+    EXPECT_NE(hitsHash(swapped, Query::closest), hash);
+    EXPECT_NE(hitsHash(std::span(hits).first(2), Query::closest), hash);
+}
+
+TEST(HitsHash, AnyHitsCountByWhetherThereIsOne) {
+    const std::string hash = hitsHash(threeHits(), Query::any);
+    std::vector<Hit> other = threeHits();
+    other[0] = {9.0f, 8, 0.75f, 0.125f};
+    EXPECT_EQ(hitsHash(other, Query::any), hash) << "the triangle is the tree's choice";
+    for (size_t i = 0; i < 3; ++i) {
+        other = threeHits();
+        other[i].prim = other[i].prim == kNone ? 0 : kNone;
+        EXPECT_NE(hitsHash(other, Query::any), hash) << "ray " << i;
+    }
 }
 
 TEST(JsonReport, KeysOfABuild) {
