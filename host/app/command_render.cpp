@@ -15,7 +15,7 @@ Camera cameraOf(const Session& session, const Options& options) {
     const Box bounds = session.worldBounds();
     ViewOverrides overrides{options.eye, options.look, std::nullopt};
     if (options.fov) overrides.verticalFov = glm::radians(*options.fov);
-    return overridden(chooseCamera(session.scene(), bounds, options.camera), bounds, overrides);
+    return overridden(chooseCamera(session.posed(), bounds, options.camera), bounds, overrides);
 }
 
 }  // namespace
@@ -29,7 +29,7 @@ void runRender(Run& run) {
     BuiltTree built = session.build(options.builders.front());
     const DeviceTree& tree = session.upload(built);
     run.progress.phase("rendering");
-    Picture picture = run.device.renderer().render(tree, session.scene(), rays, options.width, options.height,
+    Picture picture = run.device.renderer().render(tree, session.scene(), session.posed(), rays, options.width, options.height,
                                                    options.view, traceMode(options));
     if (options.view == View::steps || options.view == View::leaves) drawLegend(picture);
 

@@ -7,6 +7,7 @@
 #include "app/write_file.h"
 #include "error.h"
 #include "kdtree/builder_names.h"
+#include "scene/pose.h"
 #include "stability/cases.h"
 
 namespace cleave {
@@ -73,7 +74,7 @@ void runStability(Run& run) {
             sweepScene(run, std::string(made.name), std::string(made.about), world, buildersFor(options, index)));
     }
     for (const std::filesystem::path& file : options.scenes) {
-        const Scene scene = loadGltf(file);
+        const PosedScene scene = pose(loadGltf(file));
         scenes.push_back(
             sweepScene(run, file.filename().string(), "a file", scene.triangles, buildersFor(options, index++)));
     }

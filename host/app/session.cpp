@@ -32,9 +32,11 @@ void buildOnHost(BuiltTree& built, const TriangleSet& set, const BuildSettings& 
 Session::Session(Run& run, const fs::path& file) : run_(run) {
     run_.progress.phase("loading " + oneLine(file.filename().string()));
     scene_ = loadGltf(file);
-    for (const std::string& warning : scene_.warnings) run_.warn(warning);
-    set_ = makeTriangleSet(scene_.triangles);
-    bounds_ = finiteBounds(scene_.triangles);
+    posed_ = pose(scene_);
+    for (const auto& warnings : {scene_.warnings, posed_.warnings})
+        for (const std::string& warning : warnings) run_.warn(warning);
+    set_ = makeTriangleSet(posed_.triangles);
+    bounds_ = finiteBounds(posed_.triangles);
     run_.progress.clear();
 }
 
@@ -87,7 +89,7 @@ const DeviceTree& Session::upload(BuiltTree& built) {
 
 CheckResult Session::check(std::span<const Ray> rays, std::span<const Hit> hits, Query query, uint64_t count) {
     run_.progress.phase("checking");
-    if (!reference_) reference_ = std::make_unique<Reference>(scene_.triangles, set_.included);
+    if (!reference_) reference_ = std::make_unique<Reference>(posed_.triangles, set_.included);
     CheckResult result = cleave::check(*reference_, rays, hits, query, count, run_.options.settings.threads);
     run_.progress.clear();
     return result;

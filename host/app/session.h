@@ -12,7 +12,7 @@
 #include "app/run.h"
 #include "kdtree/oracle.h"
 #include "kdtree/statistics.h"
-#include "scene/scene.h"
+#include "scene/pose.h"
 
 namespace cleave {
 
@@ -37,10 +37,11 @@ struct BuiltTree {
 
 class Session {
   public:
-    // Loads the scene and passes its warnings on. `run` outlives the session.
+    // Loads the scene, poses it and passes warnings on. `run` outlives the session.
     Session(Run& run, const std::filesystem::path& file);
 
     const Scene& scene() const { return scene_; }
+    const PosedScene& posed() const { return posed_; }
     const TriangleSet& set() const { return set_; }
     // Of the triangles with finite vertices, in world space; empty without any.
     const Box& worldBounds() const { return bounds_; }
@@ -61,6 +62,7 @@ class Session {
 
     Run& run_;
     Scene scene_;
+    PosedScene posed_;
     TriangleSet set_;
     Box bounds_ = emptyBox();
     std::shared_ptr<DeviceTriangles> onDevice_;

@@ -80,7 +80,7 @@ float diagonal(const DeviceTree& tree) {
 Renderer::Renderer(Context& context, Tracer& tracer) : impl_(std::make_unique<Impl>(context, tracer)) {}
 Renderer::~Renderer() = default;
 
-Picture Renderer::render(const DeviceTree& tree, const Scene& scene, std::span<const Ray> rays, uint32_t width,
+Picture Renderer::render(const DeviceTree& tree, const Scene& scene, const PosedScene& posed, std::span<const Ray> rays, uint32_t width,
                          uint32_t height, View view, TraceMode mode) {
     Impl& d = *impl_;
     Picture picture;
@@ -93,13 +93,13 @@ Picture Renderer::render(const DeviceTree& tree, const Scene& scene, std::span<c
     if (view == View::depth) setDepthScale(picture, tree, rays);
 
     std::vector<glm::vec4> colours;
-    for (const Material& m : scene.materials) colours.push_back(m.baseColour);
+    for (const gltf::Material& m : scene.materials) colours.push_back(m.baseColour);
     const Buffer rayBuffer = d.uploaded(rays);
     const Buffer hits = d.uploaded(std::span<const Hit>(picture.primary.hits));
     const Buffer steps = d.uploaded(std::span<const StepCount>(picture.primary.steps));
     const Buffer shadowRays(d.context, rays.size_bytes());
     Buffer shadowHits(d.context, rays.size() * sizeof(Hit));
-    const Buffer materialOf = d.uploaded(std::span<const uint32_t>(scene.materialOf));
+    const Buffer materialOf = d.uploaded(std::span<const uint32_t>(posed.materialOf));
     const Buffer baseColours = d.uploaded(std::span<const glm::vec4>(colours));
     const Buffer pixels(d.context, rays.size() * sizeof(uint32_t));
     const ShadePush push{rayBuffer.address(),

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "device_tree.h"
-#include "scene/scene.h"
+#include "scene/pose.h"
 #include "shared/ray.h"
 #include "tracer.h"
 
@@ -28,8 +28,8 @@ class Renderer {
   public:
     Renderer(Context& context, Tracer& tracer);
     ~Renderer();
-    // `rays` holds width * height rays, row by row. Steps are counted where the view shows them.
-    Picture render(const DeviceTree& tree, const Scene& scene, std::span<const Ray> rays, uint32_t width,
+    // Both scenes are the tree's. `rays` holds width * height rays, row by row. Steps are counted where the view shows them.
+    Picture render(const DeviceTree& tree, const Scene& scene, const PosedScene& posed, std::span<const Ray> rays, uint32_t width,
                    uint32_t height, View view, TraceMode mode = {});
 
   private:

@@ -3,7 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "error.h"
+#include "not_found.h"
+#include "pose.h"
 
 namespace cleave {
 namespace {
@@ -65,13 +66,13 @@ Camera defaultCamera(const Box& bounds) {
     return camera;
 }
 
-Camera chooseCamera(const Scene& scene, const Box& bounds, const std::string& nameOrIndex) {
+Camera chooseCamera(const PosedScene& scene, const Box& bounds, const std::string& nameOrIndex) {
     if (nameOrIndex.empty()) return scene.cameras.empty() ? defaultCamera(bounds) : scene.cameras.front();
     for (const Camera& camera : scene.cameras)
         if (camera.name == nameOrIndex) return camera;
     for (size_t i = 0; i < scene.cameras.size(); ++i)
         if (std::to_string(i) == nameOrIndex) return scene.cameras[i];
-    throw UsageError("there is no camera '" + nameOrIndex + "' in '" + scene.name + "': " + listOf(scene.cameras));
+    throw NotFound("there is no camera '" + nameOrIndex + "' in '" + scene.name + "': " + listOf(scene.cameras));
 }
 
 Camera overridden(const Camera& camera, const Box& bounds, const ViewOverrides& overrides) {

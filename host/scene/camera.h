@@ -1,4 +1,4 @@
-// Where a picture is taken from, and its rays.
+// Cameras in the world, and their rays.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,24 @@
 #include <string>
 #include <vector>
 
-#include "scene.h"
 #include "shared/box.h"
 #include "shared/ray.h"
+#include "shared/triangle.h"
 
 namespace cleave {
+
+struct PosedScene;
+
+// A camera, placed in the world.
+struct Camera {
+    std::string name;
+    glm::dvec3 eye{0.0};
+    glm::dvec3 forward{0.0, 0.0, -1.0};  // unit length
+    glm::dvec3 up{0.0, 1.0, 0.0};        // unit length, at a right angle to forward
+    bool orthographic = false;
+    double verticalFov = 0.0;         // radians; perspective only
+    double orthographicHeight = 0.0;  // full height seen; orthographic only
+};
 
 // The bounds of the triangles whose vertices are all finite; empty without any.
 Box finiteBounds(std::span<const Triangle> triangles);
@@ -25,8 +38,8 @@ Camera lookAt(const glm::dvec3& eye, const glm::dvec3& target, double verticalFo
 Camera defaultCamera(const Box& bounds);
 
 // The camera of that name or, failing that, of that number; without a name the scene's first, or the default camera.
-// Throws UsageError, listing the scene's cameras, if there is no such camera.
-Camera chooseCamera(const Scene& scene, const Box& bounds, const std::string& nameOrIndex);
+// Throws NotFound, listing the scene's cameras, if there is no such camera.
+Camera chooseCamera(const PosedScene& scene, const Box& bounds, const std::string& nameOrIndex);
 
 // What a user says about the view beside the camera; each is left as it is where it is not given.
 struct ViewOverrides {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "gltf_file.h"
+#include "refuse.h"
 
 namespace cleave {
 namespace {

@@ -1,0 +1,25 @@
+// What animations make of nodes at a time.
+#pragma once
+
+#include <vector>
+
+#include "pose.h"
+#include "refuse.h"
+
+namespace cleave {
+
+// What can move of a node.
+struct NodeState {
+    gltf::Transform transform;
+    std::vector<double> weights;  // of morph targets
+};
+
+// As the file has them. Weights of a node take the place of its mesh's; without either they are none, and stand for 0.
+std::vector<NodeState> restStates(const Scene& scene);
+
+// Moves `states` to a time. Channels that cannot be played are left out with a warning: where an earlier one moves the
+// same thing, where a node has a matrix, or where keys are in a buffer that is not there. Throws Error if times do not
+// increase.
+void animate(const Scene& scene, const PoseTime& time, std::vector<NodeState>& states, Warnings& warnings);
+
+}  // namespace cleave

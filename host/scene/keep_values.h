@@ -1,0 +1,52 @@
+// Values of a checked document: a member, or what stands for it where it is missing.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "check_values.h"
+#include "gltf.h"
+
+namespace cleave {
+
+inline std::string textOf(const Json& object, const char* name) {
+    const Json* value = member(object, name);
+    return value != nullptr && value->is_string() ? value->get<std::string>() : "";
+}
+
+inline gltf::Index indexOf(const Json& object, const char* name) {
+    const Json* value = member(object, name);
+    return value == nullptr ? gltf::Index() : gltf::Index(value->get<uint32_t>());
+}
+
+inline uint64_t wholeOf(const Json& object, const char* name, uint64_t fallback = 0) {
+    const Json* value = member(object, name);
+    return value == nullptr ? fallback : value->get<uint64_t>();
+}
+
+inline double numberOf(const Json& object, const char* name, double fallback) {
+    const Json* value = member(object, name);
+    return value == nullptr ? fallback : value->get<double>();
+}
+
+inline bool boolOf(const Json& object, const char* name) {
+    const Json* value = member(object, name);
+    return value != nullptr && value->get<bool>();
+}
+
+template <int N>
+glm::vec<N, double> vectorOf(const Json& object, const char* name, const glm::vec<N, double>& fallback) {
+    const Json* value = member(object, name);
+    glm::vec<N, double> result = fallback;
+    for (int i = 0; value != nullptr && i < N; ++i) result[i] = (*value)[size_t(i)].get<double>();
+    return result;
+}
+
+template <typename Number>
+std::vector<Number> listOf(const Json& object, const char* name) {
+    const Json* value = member(object, name);
+    return value == nullptr ? std::vector<Number>() : value->get<std::vector<Number>>();
+}
+
+}  // namespace cleave
