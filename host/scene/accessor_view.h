@@ -24,7 +24,7 @@ class AccessorElements {
     // Throws Error if the elements are not all there.
     AccessorElements(const Scene& scene, uint32_t accessor);
     size_t count() const { return base_.count; }
-    // The bytes of an element; null stands for zeros.
+    // Returns the bytes of an element; null stands for zeros.
     const unsigned char* operator[](size_t i) const;
 
   private:
@@ -52,7 +52,7 @@ class AccessorValues {
     bool normalized_;
 };
 
-// Four whole numbers an element, such as numbers of joints.
+// Elements of four whole numbers, such as numbers of joints.
 class AccessorIntegers {
   public:
     AccessorIntegers(const Scene& scene, uint32_t accessor);

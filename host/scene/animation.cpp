@@ -11,14 +11,6 @@
 namespace cleave {
 namespace {
 
-std::string listOf(const Scene& scene) {
-    if (scene.animations.empty()) return "the scene has no animation";
-    std::string text = "the scene has";
-    for (size_t i = 0; i < scene.animations.size(); ++i)
-        text += (i == 0 ? " " : ", ") + std::to_string(i) + " '" + scene.animations[i].name + "'";
-    return text;
-}
-
 size_t morphTargetsOf(const Scene& scene, uint32_t node) {
     const gltf::Index mesh = scene.nodes[node].mesh;
     if (!mesh || scene.meshes[*mesh].primitives.empty()) return 0;
@@ -42,10 +34,10 @@ void play(const Scene& scene, const gltf::Channel& channel, const KeyValues& key
     }
 }
 
-// What an animation has moved already.
+// The parts of nodes that channels have moved already.
 using Moved = std::set<std::pair<uint32_t, gltf::Path>>;
 
-// Empty if the channel can be played.
+// Says why a channel cannot be played; empty if it can be.
 std::string whyNot(const Scene& scene, const gltf::Channel& channel, const gltf::AnimationSampler& sampler,
                    const Moved& moved) {
     if (!hasBytes(scene, sampler.input) || !hasBytes(scene, sampler.output))
@@ -59,11 +51,7 @@ std::string whyNot(const Scene& scene, const gltf::Channel& channel, const gltf:
 
 std::vector<uint32_t> chooseAnimation(const Scene& scene, const std::string& nameOrIndex) {
     if (nameOrIndex.empty()) return scene.animations.empty() ? std::vector<uint32_t>{} : std::vector<uint32_t>{0};
-    for (uint32_t i = 0; i < scene.animations.size(); ++i)
-        if (scene.animations[i].name == nameOrIndex) return {i};
-    for (uint32_t i = 0; i < scene.animations.size(); ++i)
-        if (std::to_string(i) == nameOrIndex) return {i};
-    throw NotFound("there is no animation '" + nameOrIndex + "' in '" + scene.name + "': " + listOf(scene));
+    return {uint32_t(findNamed(scene.animations, nameOrIndex, "animation", scene.name))};
 }
 
 std::vector<uint32_t> allAnimations(const Scene& scene) {

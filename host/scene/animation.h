@@ -1,4 +1,4 @@
-// What animations make of nodes at a time.
+// Animations: they move nodes and weights to where they are at a time.
 #pragma once
 
 #include <vector>
@@ -8,13 +8,14 @@
 
 namespace cleave {
 
-// What can move of a node.
+// The parts of a node that can move.
 struct NodeState {
     gltf::Transform transform;
     std::vector<double> weights;  // of morph targets
 };
 
-// As the file has them. Weights of a node take the place of its mesh's; without either they are none, and stand for 0.
+// Returns the states of all nodes as the file has them. Weights of a node take the place of its mesh's; none stand
+// for 0.
 std::vector<NodeState> restStates(const Scene& scene);
 
 // Moves `states` to a time. Channels that cannot be played are left out with a warning: where an earlier one moves the

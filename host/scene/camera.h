@@ -27,34 +27,35 @@ struct Camera {
     double orthographicHeight = 0.0;  // full height seen; orthographic only
 };
 
-// The bounds of the triangles whose vertices are all finite; empty without any.
+// Returns the bounds of the triangles whose vertices are all finite; empty if there are none.
 Box finiteBounds(std::span<const Triangle> triangles);
 
-// Placed at `eye`, looking at `target`, +y up. If these coincide it looks along -z; if it looks straight up or down,
-// another up is taken (+z or -z).
+// Places a camera at `eye` that looks at `target`, +y up. If these coincide it looks along -z; if it looks straight up
+// or down, another up is taken (+z or -z).
 Camera lookAt(const glm::dvec3& eye, const glm::dvec3& target, double verticalFov);
 
-// From a corner of the scene, outside of it: eye = centre + 1.1 * diagonal * normalize(0.6, 0.4, 0.7), 45 degrees.
+// Looks at the centre of a scene from a corner outside of it: eye = centre + 1.1 * diagonal * normalize(0.6, 0.4, 0.7),
+// 45 degrees.
 Camera defaultCamera(const Box& bounds);
 
-// The camera of that name or, failing that, of that number; without a name the scene's first, or the default camera.
+// Returns the camera of that name or, failing that, of that number; of an empty text the first, or the default camera.
 // Throws NotFound, listing the scene's cameras, if there is no such camera.
 Camera chooseCamera(const PosedScene& scene, const Box& bounds, const std::string& nameOrIndex);
 
-// What a user says about the view beside the camera; each is left as it is where it is not given.
+// Changes that a user makes to a camera; what is not given stays as it is.
 struct ViewOverrides {
     std::optional<glm::dvec3> eye;
     std::optional<glm::dvec3> look;     // a point to look at
     std::optional<double> verticalFov;  // radians; makes the camera a perspective one
 };
-// With an eye but no point to look at, it looks at the centre of the bounds.
+// Applies the changes. With an eye but no point to look at, the camera looks at the centre of the bounds.
 Camera overridden(const Camera& camera, const Box& bounds, const ViewOverrides& overrides);
 
-// The ray through image point (x, y), in pixels from the upper left corner: square pixels, unit direction, t in
-// [0, tMax]. Double arithmetic, rounded to float once.
+// Makes the ray through image point (x, y), in pixels from the upper left corner: square pixels, unit direction, t in
+// [0, tMax]. It is computed in double and rounded to float once.
 Ray imageRay(const Camera& camera, double x, double y, uint32_t width, uint32_t height, float tMax);
 
-// One ray per pixel, through its centre, row by row from the top; t in [0, inf].
+// Makes one ray per pixel, through its centre, row by row from the top; t in [0, inf].
 std::vector<Ray> cameraRays(const Camera& camera, uint32_t width, uint32_t height);
 
 }  // namespace cleave

@@ -1,4 +1,4 @@
-// Animations: samplers are keys and values that belong together, and channels lead to what can move.
+// Checks animations: a sampler's values belong to its keys, and channels lead to what can move.
 #include <array>
 
 #include "check_format.h"
@@ -15,7 +15,7 @@ struct PathFormat {
 constexpr std::array kPaths = {PathFormat{"translation", &kVec3Format}, PathFormat{"rotation", &kRotationFormat},
                                PathFormat{"scale", &kVec3Format}, PathFormat{"weights", &kScalarFormat}};
 
-// Values for each key of a sampler: a cubic spline has two tangents beside each.
+// Returns how many values a key has: a cubic spline has two tangents beside each value.
 uint64_t valuesPerKey(const Json& sampler, const std::string& where) {
     const Json* name = member(sampler, "interpolation");
     if (name == nullptr || *name == "LINEAR" || *name == "STEP") return 1;
@@ -39,7 +39,6 @@ void checkOutput(const Json& document, const Json& sampler, const Format& format
                  const std::string& where) {
     const Json& values = checkAccessorValue(document, sampler["output"], format, where + ".output");
     const uint64_t keys = countOf(document["accessors"][sampler["input"].get<size_t>()]);
-    // Divided rather than multiplied, which could overflow.
     const uint64_t each = targets * valuesPerKey(sampler, where);
     if (countOf(values) % each != 0 || countOf(values) / each != keys)
         refuseGltf(where + ".output holds " + std::to_string(countOf(values)) + " values, and " + std::to_string(keys) +

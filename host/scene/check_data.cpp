@@ -1,4 +1,4 @@
-// Buffers, bufferViews and accessors: offsets and counts fit what they lie in.
+// Checks buffers, bufferViews and accessors: offsets and counts fit what they lie in.
 #include "check_format.h"
 #include "gltf_check.h"
 #include "refuse.h"
@@ -8,11 +8,6 @@ namespace {
 
 constexpr uint64_t kMaxNumber = uint64_t(1) << 31;
 
-uint64_t numberOr(const Json& object, const char* name, uint64_t fallback) {
-    const Json* value = member(object, name);
-    return value == nullptr ? fallback : value->get<uint64_t>();
-}
-
 void checkView(const Json& document, size_t index) {
     const Json& view = document["bufferViews"][index];
     const std::string where = at("bufferViews", index);
@@ -20,11 +15,11 @@ void checkView(const Json& document, size_t index) {
     checkCount(view, "byteOffset", false, kMaxCount, where);
     checkCount(view, "byteLength", true, kMaxCount, where);
     checkCount(view, "byteStride", false, 252, where);
-    if (numberOr(view, "byteStride", 0) % 4 != 0)
+    if (wholeOf(view, "byteStride") % 4 != 0)
         refuseGltf(where + ".byteStride is " + view["byteStride"].dump() + ", and must be a multiple of 4");
     const size_t buffer = view["buffer"].get<size_t>();
     const uint64_t length = document["buffers"][buffer]["byteLength"].get<uint64_t>();
-    const uint64_t end = numberOr(view, "byteOffset", 0) + view["byteLength"].get<uint64_t>();
+    const uint64_t end = wholeOf(view, "byteOffset") + view["byteLength"].get<uint64_t>();
     if (end > length)
         refuseGltf(where + " ends at byte " + std::to_string(end) + ", past the end of " + at("buffers", buffer) +
                    ", which has " + std::to_string(length));
@@ -32,10 +27,10 @@ void checkView(const Json& document, size_t index) {
         checkIndex(*meshopt, "buffer", targetOf(document, "buffers"), where + ".extensions.EXT_meshopt_compression");
 }
 
-// `count` elements of `size` bytes from `offset` on lie within a bufferView.
+// Refuses unless `count` elements of `size` bytes lie within a bufferView, from `offset` on.
 void checkExtent(const Json& view, uint64_t offset, uint64_t count, uint64_t size, bool mayStride,
                  const std::string& where) {
-    const uint64_t given = mayStride ? numberOr(view, "byteStride", 0) : 0;
+    const uint64_t given = mayStride ? wholeOf(view, "byteStride") : 0;
     const uint64_t stride = given != 0 ? given : size;
     if (stride < size) refuseGltf(where + " has elements that are larger than its byteStride");
     const uint64_t fitting = fittingElements(view["byteLength"].get<uint64_t>(), offset, stride, size);
@@ -50,13 +45,13 @@ void checkComponentType(const Json& object, const std::string& where) {
         refuseGltf(where + ".componentType is " + object["componentType"].dump() + ", which is not known");
 }
 
-// One part of a sparse accessor: `count` elements in a bufferView.
+// Checks one part of a sparse accessor, which is `count` elements in a bufferView.
 void checkSparsePart(const Json& document, const Json& part, uint64_t count, size_t size, const std::string& where) {
     requireIndex(part, "bufferView", targetOf(document, "bufferViews"), where);
     checkCount(part, "byteOffset", false, kMaxCount, where);
     if (size == 0) return;
     const Json& view = document["bufferViews"][part["bufferView"].get<size_t>()];
-    checkExtent(view, numberOr(part, "byteOffset", 0), count, size, false, where);
+    checkExtent(view, wholeOf(part, "byteOffset"), count, size, false, where);
 }
 
 void checkSparse(const Json& document, const Json& accessor, const Json& sparse, size_t size,
@@ -82,7 +77,7 @@ void checkAccessor(const Json& document, size_t index) {
     // Elements of a type that is not known have no size; nothing can read them.
     const size_t size = elementSize(elementTypeOf(accessor), gltf::ComponentType(accessor["componentType"].get<int>()));
     if (checkIndex(accessor, "bufferView", targetOf(document, "bufferViews"), where) && size > 0)
-        checkExtent(document["bufferViews"][accessor["bufferView"].get<size_t>()], numberOr(accessor, "byteOffset", 0),
+        checkExtent(document["bufferViews"][accessor["bufferView"].get<size_t>()], wholeOf(accessor, "byteOffset"),
                     countOf(accessor), size, true, where);
     if (const Json* sparse = objectAt(accessor, "sparse", where))
         checkSparse(document, accessor, *sparse, size, where + ".sparse");

@@ -1,4 +1,4 @@
-// Materials, textures, samplers and images.
+// Checks materials, textures, samplers and images.
 #include "gltf_check.h"
 #include "refuse.h"
 
@@ -19,7 +19,7 @@ void checkTextureUse(const Json& document, const Json& use, const std::string& w
     checkCount(*transform, "texCoord", false, 1u << 16, name);
 }
 
-// Every member of a material, or of a part or extension of it, that is called ...Texture.
+// Checks every member of a material, or of a part or extension of it, that is called ...Texture.
 void checkTextureUses(const Json& document, const Json& object, const std::string& where) {
     for (const auto& [name, value] : object.items()) {
         if (name == "extras") continue;

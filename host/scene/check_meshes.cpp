@@ -1,4 +1,4 @@
-// Meshes: attributes, indices and morph targets are accessors of the right format, and of one count.
+// Checks meshes: attributes, indices and morph targets are accessors of the right format, and of one count.
 #include "check_format.h"
 #include "gltf_check.h"
 #include "refuse.h"
@@ -6,7 +6,7 @@
 namespace cleave {
 namespace {
 
-// The format that a semantic must have; null where geometry does not depend on it.
+// Returns the format that a semantic must have; null where geometry does not depend on it.
 const Format* formatOf(const std::string& semantic) {
     if (semantic == "POSITION") return &kPositionFormat;
     if (semantic.starts_with("JOINTS_")) return &kJointsFormat;
@@ -14,7 +14,7 @@ const Format* formatOf(const std::string& semantic) {
     return nullptr;
 }
 
-// Accessors by semantic, each with `count` elements; the first one tells it where it is null.
+// Checks accessors by semantic. All have as many elements as `first`, which is the first of them where it is null.
 void checkAttributes(const Json& document, const Json& attributes, const Json*& first, const std::string& where) {
     for (const auto& [semantic, value] : attributes.items()) {
         const std::string name = where + "." + semantic;

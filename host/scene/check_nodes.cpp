@@ -1,4 +1,4 @@
-// Nodes and scenes: what nodes show, how they are placed, and that they form a forest.
+// Checks nodes, scenes, skins, cameras and lights; nodes form a forest.
 #include <vector>
 
 #include "check_format.h"
@@ -39,7 +39,7 @@ void checkNode(const Json& document, const Json& node, const std::string& where)
         refuseGltf(where + " has weights, and no mesh");
 }
 
-// The entries of an array of node indices.
+// Returns the entries of an array of node indices.
 std::vector<size_t> nodeList(const Json& document, const Json& object, const char* name, const std::string& where) {
     const Json& array = arrayOf(object, name, where);
     std::vector<size_t> list;

@@ -104,4 +104,9 @@ void checkBool(const Json& object, const char* name, const std::string& where) {
     if (value != nullptr && !value->is_boolean()) refuseGltf(where + "." + name + " is neither true nor false");
 }
 
+uint64_t wholeOf(const Json& object, const char* name, uint64_t fallback) {
+    const Json* value = member(object, name);
+    return value == nullptr ? fallback : value->get<uint64_t>();
+}
+
 }  // namespace cleave

@@ -26,9 +26,9 @@ void checkTextures(const Json& document);
 void checkMaterials(const Json& document);
 void checkAnimations(const Json& document);
 
-// The number of morph targets of a checked mesh.
+// Returns the number of morph targets of a checked mesh.
 size_t morphTargetsOf(const Json& document, size_t mesh);
-// `weights` of a mesh, or of a node that shows it: one for each morph target, if any.
+// Throws Error unless `weights` of a mesh, or of a node that shows it, holds one for each morph target, if it is there.
 void checkMorphWeights(const Json& document, const Json& object, size_t mesh, const std::string& where);
 
 }  // namespace cleave

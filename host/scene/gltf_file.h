@@ -17,10 +17,10 @@ struct GltfFile {
     bool hasData = false;
 };
 
-// The bytes of a regular file.
+// Reads the bytes of a regular file.
 std::vector<unsigned char> readBytes(const std::filesystem::path& path);
 
-// Tells .glb from .gltf by the first four bytes, as names may lie. `path` is where the bytes come from.
+// Parses the bytes of the file `path`. The first four tell .glb from .gltf, as names may lie.
 GltfFile parseGltfFile(const std::filesystem::path& path, std::span<const unsigned char> bytes);
 
 }  // namespace cleave

@@ -7,7 +7,7 @@
 
 namespace cleave {
 
-// Everything of a scene but its name, its folder, the bytes of its buffers and its warnings, which are added to
+// Returns the scene, all but its name, its folder, the bytes of its buffers and its warnings, which are added to
 // `warnings`.
 Scene keepGltf(const Json& document, Warnings& warnings);
 

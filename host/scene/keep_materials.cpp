@@ -1,4 +1,4 @@
-// Materials, textures, samplers and images.
+// Keeps materials, textures, samplers and images.
 #include <algorithm>
 #include <array>
 
@@ -23,7 +23,7 @@ std::optional<gltf::TextureUse> textureUseOf(const Json& object, const char* nam
     return use;
 }
 
-// A factor of a texture, which is a member of the texture's use.
+// Reads the factor of a texture, which is a member of the texture's use.
 float factorOf(const Json& object, const char* texture, const char* name) {
     const Json* use = member(object, texture);
     return use == nullptr ? 1.0f : float(numberOf(*use, name, 1.0));
@@ -65,7 +65,7 @@ gltf::Material materialOf(const Json& source, const std::string& where, Warnings
     return material;
 }
 
-// A number that must be one of `known`, which else is said and taken as `fallback`.
+// Reads a number of an enumeration. If it is none of `known`, a warning says so, and `fallback` is taken.
 template <typename Enum, size_t N>
 Enum oneOf(const std::array<Enum, N>& known, const Json& source, const char* name, Enum fallback,
            const std::string& where, Warnings& warnings) {

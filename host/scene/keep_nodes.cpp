@@ -1,4 +1,4 @@
-// Meshes, nodes, skins, cameras and lights.
+// Keeps meshes, nodes, skins, cameras and lights.
 #include "gltf_keep.h"
 #include "keep_values.h"
 

@@ -1,4 +1,4 @@
-// Values of a checked document: a member, or what stands for it where it is missing.
+// Reads values of a checked document. Where a member is missing, a fallback or nothing stands for it.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -18,11 +18,6 @@ inline std::string textOf(const Json& object, const char* name) {
 inline gltf::Index indexOf(const Json& object, const char* name) {
     const Json* value = member(object, name);
     return value == nullptr ? gltf::Index() : gltf::Index(value->get<uint32_t>());
-}
-
-inline uint64_t wholeOf(const Json& object, const char* name, uint64_t fallback = 0) {
-    const Json* value = member(object, name);
-    return value == nullptr ? fallback : value->get<uint64_t>();
 }
 
 inline double numberOf(const Json& object, const char* name, double fallback) {

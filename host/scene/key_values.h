@@ -1,4 +1,4 @@
-// Values of an animation's sampler between its keys.
+// Interpolates the values of an animation's sampler between its keys.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,7 +9,7 @@
 
 namespace cleave {
 
-// The times of keys, in seconds. Throws Error if they are not finite or do not increase.
+// Returns the times of keys, in seconds. Throws Error if they are not finite or do not increase.
 std::vector<double> keyTimes(const Scene& scene, uint32_t accessor);
 
 // A sampler, asked for its value at a time. The scene and `times`, those of its input, outlive it.
@@ -21,7 +21,7 @@ class KeyValues {
     std::vector<double> scalarsAt(double seconds, size_t count) const;  // where each key has `count` of them
 
   private:
-    // Where a time lies: `share` of the way from one key to the next one, which are `step` seconds apart. Outside of
+    // A time between keys: `share` of the way from one key to the next one, which are `step` seconds apart. Outside of
     // the keys, and at one, from == to.
     struct Place {
         size_t from = 0;

@@ -42,7 +42,7 @@ std::vector<uint32_t> rootsOf(const Scene& scene) {
     return roots;
 }
 
-// The nodes below `roots`, depth-first, in listed order: parents come before their children.
+// Returns the nodes below `roots`, depth-first, in listed order: parents come before their children.
 std::vector<uint32_t> depthFirst(const Scene& scene, const std::vector<uint32_t>& roots) {
     std::vector<uint32_t> order;
     std::vector<uint32_t> waiting(roots.rbegin(), roots.rend());  // a chain may be longer than the program's stack

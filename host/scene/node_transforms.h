@@ -1,4 +1,4 @@
-// The nodes that a scene shows, and where all nodes are.
+// Walks the nodes of a scene, and multiplies their transforms.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,13 +8,13 @@
 
 namespace cleave {
 
-// The nodes of the default scene (or of the first; without scenes, all), depth-first, in listed order.
+// Returns the nodes of the default scene (or of the first; without scenes, all), depth-first, in listed order.
 std::vector<uint32_t> shownNodes(const Scene& scene);
 
-// A node's own transform, in double.
+// Returns a node's own transform, in double.
 glm::dmat4 matrixOf(const gltf::Transform& transform);
 
-// The transform of every node to the world, of the scene that is shown or not. `local` has the own matrix of each.
+// Returns the transform of every node to the world, shown or not. `local` has the own matrix of each.
 std::vector<glm::dmat4> worldTransforms(const Scene& scene, const std::vector<glm::dmat4>& local);
 
 }  // namespace cleave

@@ -1,4 +1,4 @@
-// Cameras and lights of the file, placed by a node.
+// Places cameras and lights of the file where their nodes are.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,10 +9,11 @@
 
 namespace cleave {
 
-// Nothing if it shows no picture: an angle outside (0, pi), no height, or a transform that leaves no direction.
+// Returns nothing if the camera shows no picture: an angle outside (0, pi), no height, or a transform that leaves no
+// direction.
 std::optional<Camera> placeCamera(const gltf::Camera& camera, const std::string& nodeName, const glm::dmat4& toWorld);
 
-// Nothing if it is nowhere, or has to shine some way and the transform leaves no direction.
+// Returns nothing if the light is nowhere, or needs a direction and the transform leaves none.
 std::optional<PlacedLight> placeLight(const Scene& scene, uint32_t light, const glm::dmat4& toWorld);
 
 }  // namespace cleave

@@ -1,4 +1,4 @@
-// What a scene shows at a time: triangles, cameras and lights, placed in the world.
+// Posing: a scene at a time becomes triangles, cameras and lights in the world.
 #pragma once
 
 #include <cstdint>
@@ -36,9 +36,10 @@ struct PoseTime {
     std::vector<uint32_t> animations;  // played together; where two of them move the same thing, the earlier one counts
 };
 
-// The animation of that name or, failing that, of that number; of an empty text the first one, if any. Throws NotFound,
-// listing the scene's animations, if there is no such animation.
+// Returns the animation of that name or, failing that, of that number; of an empty text the first, if any. Throws
+// NotFound, listing the scene's animations, if there is no such animation.
 std::vector<uint32_t> chooseAnimation(const Scene& scene, const std::string& nameOrIndex);
+// Returns all of them.
 std::vector<uint32_t> allAnimations(const Scene& scene);
 
 // Poses a scene. Triangles are numbered: default scene (or the first), nodes depth-first in listed order, primitives in

@@ -14,7 +14,7 @@ void countLines(gltf::Mode mode, size_t n, PosedScene& posed) {
     if (mode == gltf::Mode::lineLoop) posed.leftOut["lines"] += n < 2 ? 0 : n;
 }
 
-// True if the primitive can be read; else it is counted, and said why.
+// Returns whether the primitive can be read. If not, it is counted, and a warning says why.
 bool isPosable(const Scene& scene, const gltf::Primitive& primitive, const Placement& placement,
                const std::string& where, PosedScene& posed, Warnings& warnings) {
     const bool hasPositions = primitive.attributes.contains("POSITION");

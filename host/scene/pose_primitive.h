@@ -1,4 +1,4 @@
-// A mesh primitive, placed by a node, becomes triangles.
+// Poses a primitive: placed by a node or a skin, it becomes triangles.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace cleave {
 
-// What one pose may take, as a small file can ask for any amount of either.
+// The work that is left to a pose. A small file can ask for any amount of either kind.
 struct Budget {
     size_t triangles = 0;
     size_t terms = 0;  // accessors read, vertex by vertex

@@ -7,7 +7,7 @@
 namespace cleave {
 namespace {
 
-// The accessor of a semantic; none where there is no such attribute.
+// Finds the accessor of a semantic, if there is such an attribute.
 gltf::Index find(const gltf::Attributes& attributes, const std::string& semantic) {
     const auto it = attributes.find(semantic);
     return it == attributes.end() ? gltf::Index() : gltf::Index(it->second);
@@ -34,7 +34,7 @@ struct JointAccessors {
     uint32_t weights;
 };
 
-// JOINTS_0 and WEIGHTS_0, JOINTS_1 and WEIGHTS_1, ...
+// Pairs JOINTS_0 and WEIGHTS_0, JOINTS_1 and WEIGHTS_1, ...
 std::vector<JointAccessors> jointSets(const gltf::Primitive& primitive, const Placement& placement) {
     std::vector<JointAccessors> sets;
     while (placement.joints != nullptr) {
@@ -47,7 +47,7 @@ std::vector<JointAccessors> jointSets(const gltf::Primitive& primitive, const Pl
     return sets;
 }
 
-// The one rounding between the file and the triangle.
+// Transforms a point in double; this is the only place where positions are rounded to float.
 vec3 transformed(const glm::dmat4& m, const glm::dvec3& p) {
     const glm::dvec4 q = m[0] * p.x + m[1] * p.y + m[2] * p.z + m[3];
     return {float(q.x), float(q.y), float(q.z)};
@@ -80,7 +80,7 @@ vec3 PosedVertices::operator[](size_t vertex) const {
     return transformed(joints_.empty() ? placement_.toWorld : skinMatrix(vertex), position);
 }
 
-// The weighted sum of joint matrices. Files round weights, so they are divided by their sum; a vertex without any
+// Sums joint matrices by weight. Files round weights, so they are divided by their sum; a vertex without any
 // follows its first joint. Viewers of the field do both.
 glm::dmat4 PosedVertices::skinMatrix(size_t vertex) const {
     const std::vector<glm::dmat4>& matrices = *placement_.joints;

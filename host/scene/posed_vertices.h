@@ -1,4 +1,4 @@
-// The vertices of a primitive in the world: moved by morph targets, then by a skin or by their node.
+// Poses the vertices of a primitive: moved by morph targets, then by a skin or by their node.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,7 +10,7 @@
 
 namespace cleave {
 
-// How a node poses the primitives of its mesh.
+// The way that a node poses the primitives of its mesh.
 struct Placement {
     glm::dmat4 toWorld{1.0};
     const std::vector<double>* weights = nullptr;     // of morph targets; too few of them: the others are 0
@@ -23,7 +23,7 @@ class PosedVertices {
     PosedVertices(const Scene& scene, const gltf::Primitive& primitive, const Placement& placement,
                   const std::string& where);
     size_t count() const { return positions_.count(); }
-    // What a vertex costs to pose: accessors that are read.
+    // Returns how many accessors are read for a vertex, which is what it costs.
     size_t terms() const { return 1 + targets_.size() + joints_.size(); }
     // Throws Error if the vertex has a joint that the skin does not have.
     vec3 operator[](size_t vertex) const;
@@ -46,7 +46,7 @@ class PosedVertices {
     std::vector<JointSet> joints_;  // none: placed by the node
 };
 
-// The accessors that a placement needs of a primitive, beside its indices.
+// Returns the accessors that a placement needs of a primitive, beside its indices.
 std::vector<uint32_t> accessorsOf(const gltf::Primitive& primitive, const Placement& placement);
 
 }  // namespace cleave

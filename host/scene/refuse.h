@@ -1,4 +1,4 @@
-// How the reading of a scene fails: in one line that names the file.
+// Failures and warnings of what reads a scene. A failure is one line that names the file.
 #pragma once
 
 #include <new>

@@ -1,4 +1,4 @@
-// A scene as glTF has it, kept whole: what it looks like at a time is a matter of posing it (pose.h).
+// A scene, kept as glTF has it. To see it at a time, pose it (pose.h).
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The matrices of a skin's joints, as they are posed.
+// Computes the matrices of a skin's joints, as they are posed.
 #pragma once
 
 #include <glm/glm.hpp>

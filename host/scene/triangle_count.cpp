@@ -10,7 +10,7 @@ bool hasBytesOfView(const Scene& scene, uint32_t view) {
     return !scene.buffers[scene.bufferViews[view].buffer].bytes.empty();
 }
 
-// At most `most` + 1.
+// Counts up to `most`, and returns `most` + 1 if there are more.
 size_t trianglesOf(const Scene& scene, const gltf::Mesh& mesh, size_t most) {
     size_t sum = 0;
     for (const gltf::Primitive& primitive : mesh.primitives) {

@@ -1,4 +1,4 @@
-// How many triangles primitives make, from counts alone.
+// Counts the triangles of primitives, without reading an index.
 #pragma once
 
 #include <array>
@@ -7,22 +7,22 @@
 
 namespace cleave {
 
-// Indices of a primitive: those of its accessor, or one for each vertex. It has POSITION.
+// Returns how many indices a primitive with POSITION has: those of its accessor, or one for each vertex.
 size_t indexCountOf(const Scene& scene, const gltf::Primitive& primitive);
 
-// Triangles of so many indices; 0 for points and lines.
+// Returns how many triangles so many indices make; none if they are points or lines.
 size_t triangleCount(gltf::Mode mode, size_t indexCount);
-// Indices at the end that make no triangle.
+// Returns how many indices at the end make no triangle.
 size_t surplusIndices(gltf::Mode mode, size_t indexCount);
-// Which three indices make triangle i.
+// Returns the three indices that make triangle i.
 std::array<size_t, 3> cornersOf(gltf::Mode mode, size_t i);
 
-// True if the bytes of an accessor (and of its sparse part) are there.
+// Returns whether the bytes of an accessor (and of its sparse part) are there.
 bool hasBytes(const Scene& scene, uint32_t accessor);
-// True if the primitive has positions, and they and its indices can be read.
+// Returns whether the primitive has positions, and these and its indices are there.
 bool isReadable(const Scene& scene, const gltf::Primitive& primitive);
 
-// The triangles that the scene shows. Throws Error if they are more than `most`.
+// Counts the triangles that the scene shows. Throws Error if there are more than `most`.
 size_t countTriangles(const Scene& scene, size_t most);
 
 }  // namespace cleave
