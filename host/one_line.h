@@ -6,10 +6,10 @@
 
 namespace cleave {
 
-// The first `longest` bytes of a text from a file or a driver, safe to print: control characters become spaces, and
-// spaces at the end are dropped.
-inline std::string oneLine(std::string_view text, size_t longest = std::string_view::npos) {
-    std::string line(text.substr(0, longest));
+// Returns text from a file or a driver, safe to print: control characters become spaces, and spaces at the end are
+// dropped.
+inline std::string oneLine(std::string_view text) {
+    std::string line(text);
     for (char& c : line)
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
     while (!line.empty() && line.back() == ' ') line.pop_back();

@@ -1,10 +1,10 @@
-#include "accessor_view.h"
+#include "scene/accessor_view.h"
 
 #include <algorithm>
 #include <cstring>
 
-#include "check_format.h"
-#include "refuse.h"
+#include "scene/check_format.h"
+#include "scene/refuse.h"
 
 namespace cleave {
 namespace {

@@ -1,12 +1,12 @@
-#include "animation.h"
+#include "scene/animation.h"
 
 #include <cmath>
 #include <map>
 #include <set>
 
-#include "key_values.h"
-#include "not_found.h"
-#include "triangle_count.h"
+#include "scene/key_values.h"
+#include "scene/not_found.h"
+#include "scene/triangle_count.h"
 
 namespace cleave {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "pose.h"
-#include "refuse.h"
+#include "scene/pose.h"
+#include "scene/refuse.h"
 
 namespace cleave {
 

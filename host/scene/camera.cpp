@@ -1,10 +1,10 @@
-#include "camera.h"
+#include "scene/camera.h"
 
 #include <cmath>
 #include <numbers>
 
-#include "not_found.h"
-#include "pose.h"
+#include "scene/not_found.h"
+#include "scene/pose.h"
 
 namespace cleave {
 namespace {

@@ -1,9 +1,9 @@
 // Checks animations: a sampler's values belong to its keys, and channels lead to what can move.
 #include <array>
 
-#include "check_format.h"
-#include "gltf_check.h"
-#include "refuse.h"
+#include "scene/check_format.h"
+#include "scene/gltf_check.h"
+#include "scene/refuse.h"
 
 namespace cleave {
 namespace {

@@ -1,7 +1,7 @@
 // Checks buffers, bufferViews and accessors: offsets and counts fit what they lie in.
-#include "check_format.h"
-#include "gltf_check.h"
-#include "refuse.h"
+#include "scene/check_format.h"
+#include "scene/gltf_check.h"
+#include "scene/refuse.h"
 
 namespace cleave {
 namespace {

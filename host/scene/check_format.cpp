@@ -1,9 +1,9 @@
-#include "check_format.h"
+#include "scene/check_format.h"
 
 #include <algorithm>
 #include <array>
 
-#include "refuse.h"
+#include "scene/refuse.h"
 
 namespace cleave {
 namespace {

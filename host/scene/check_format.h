@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "check_values.h"
-#include "gltf.h"
+#include "scene/check_values.h"
+#include "scene/gltf.h"
 
 namespace cleave {
 

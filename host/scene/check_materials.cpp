@@ -1,6 +1,6 @@
 // Checks materials, textures, samplers and images.
-#include "gltf_check.h"
-#include "refuse.h"
+#include "scene/gltf_check.h"
+#include "scene/refuse.h"
 
 namespace cleave {
 namespace {

@@ -1,7 +1,7 @@
 // Checks meshes: attributes, indices and morph targets are accessors of the right format, and of one count.
-#include "check_format.h"
-#include "gltf_check.h"
-#include "refuse.h"
+#include "scene/check_format.h"
+#include "scene/gltf_check.h"
+#include "scene/refuse.h"
 
 namespace cleave {
 namespace {

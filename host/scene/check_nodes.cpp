@@ -1,9 +1,9 @@
 // Checks nodes, scenes, skins, cameras and lights; nodes form a forest.
 #include <vector>
 
-#include "check_format.h"
-#include "gltf_check.h"
-#include "refuse.h"
+#include "scene/check_format.h"
+#include "scene/gltf_check.h"
+#include "scene/refuse.h"
 
 namespace cleave {
 namespace {

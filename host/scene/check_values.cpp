@@ -1,6 +1,6 @@
-#include "check_values.h"
+#include "scene/check_values.h"
 
-#include "refuse.h"
+#include "scene/refuse.h"
 
 namespace cleave {
 namespace {

@@ -1,8 +1,8 @@
-#include "gltf_check.h"
+#include "scene/gltf_check.h"
 
 #include <array>
 
-#include "refuse.h"
+#include "scene/refuse.h"
 
 namespace cleave {
 namespace {

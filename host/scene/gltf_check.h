@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "check_values.h"
+#include "scene/check_values.h"
 
 namespace cleave {
 

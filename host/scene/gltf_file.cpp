@@ -1,10 +1,10 @@
-#include "gltf_file.h"
+#include "scene/gltf_file.h"
 
 #include <bit>
 #include <cstring>
 #include <fstream>
 
-#include "refuse.h"
+#include "scene/refuse.h"
 
 namespace cleave {
 namespace {

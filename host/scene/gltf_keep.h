@@ -1,9 +1,9 @@
 // Keeps a checked document as plain data.
 #pragma once
 
-#include "check_values.h"
-#include "refuse.h"
-#include "scene.h"
+#include "scene/check_values.h"
+#include "scene/refuse.h"
+#include "scene/scene.h"
 
 namespace cleave {
 

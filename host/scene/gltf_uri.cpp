@@ -1,9 +1,9 @@
-#include "gltf_uri.h"
+#include "scene/gltf_uri.h"
 
 #include <algorithm>
 #include <cctype>
 
-#include "refuse.h"
+#include "scene/refuse.h"
 
 namespace cleave {
 namespace {

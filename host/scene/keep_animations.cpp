@@ -1,5 +1,5 @@
-#include "gltf_keep.h"
-#include "keep_values.h"
+#include "scene/gltf_keep.h"
+#include "scene/keep_values.h"
 
 namespace cleave {
 namespace {

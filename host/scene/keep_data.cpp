@@ -1,6 +1,6 @@
-#include "check_format.h"
-#include "gltf_keep.h"
-#include "keep_values.h"
+#include "scene/check_format.h"
+#include "scene/gltf_keep.h"
+#include "scene/keep_values.h"
 
 namespace cleave {
 namespace {

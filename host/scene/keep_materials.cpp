@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <array>
 
-#include "gltf_keep.h"
-#include "keep_values.h"
+#include "scene/gltf_keep.h"
+#include "scene/keep_values.h"
 
 namespace cleave {
 namespace {

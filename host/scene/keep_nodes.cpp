@@ -1,6 +1,6 @@
 // Keeps meshes, nodes, skins, cameras and lights.
-#include "gltf_keep.h"
-#include "keep_values.h"
+#include "scene/gltf_keep.h"
+#include "scene/keep_values.h"
 
 namespace cleave {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "check_values.h"
-#include "gltf.h"
+#include "scene/check_values.h"
+#include "scene/gltf.h"
 
 namespace cleave {
 

@@ -1,9 +1,9 @@
-#include "key_values.h"
+#include "scene/key_values.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "refuse.h"
+#include "scene/refuse.h"
 
 namespace cleave {
 namespace {

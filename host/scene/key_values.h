@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "accessor_view.h"
+#include "scene/accessor_view.h"
 
 namespace cleave {
 

@@ -1,10 +1,10 @@
 // loadGltf: read -> check -> keep, and the payload of the buffers that are needed.
-#include "gltf_check.h"
-#include "gltf_file.h"
-#include "gltf_keep.h"
-#include "read_buffers.h"
-#include "refuse.h"
-#include "triangle_count.h"
+#include "scene/gltf_check.h"
+#include "scene/gltf_file.h"
+#include "scene/gltf_keep.h"
+#include "scene/read_buffers.h"
+#include "scene/refuse.h"
+#include "scene/triangle_count.h"
 
 namespace cleave {
 namespace {

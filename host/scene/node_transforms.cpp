@@ -1,4 +1,4 @@
-#include "node_transforms.h"
+#include "scene/node_transforms.h"
 
 #include <cmath>
 

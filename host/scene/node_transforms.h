@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "scene.h"
+#include "scene/scene.h"
 
 namespace cleave {
 

@@ -1,4 +1,4 @@
-#include "place_camera.h"
+#include "scene/place_camera.h"
 
 #include <cmath>
 #include <numbers>

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "pose.h"
+#include "scene/pose.h"
 
 namespace cleave {
 

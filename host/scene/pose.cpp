@@ -1,13 +1,13 @@
-#include "pose.h"
+#include "scene/pose.h"
 
 #include <algorithm>
 
-#include "animation.h"
-#include "node_transforms.h"
-#include "place_camera.h"
-#include "pose_primitive.h"
-#include "skin_matrices.h"
-#include "triangle_count.h"
+#include "scene/animation.h"
+#include "scene/node_transforms.h"
+#include "scene/place_camera.h"
+#include "scene/pose_primitive.h"
+#include "scene/skin_matrices.h"
+#include "scene/triangle_count.h"
 
 namespace cleave {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "camera.h"
-#include "scene.h"
+#include "scene/camera.h"
+#include "scene/scene.h"
 #include "shared/triangle.h"
 
 namespace cleave {

@@ -1,8 +1,8 @@
-#include "pose_primitive.h"
+#include "scene/pose_primitive.h"
 
 #include <algorithm>
 
-#include "triangle_count.h"
+#include "scene/triangle_count.h"
 
 namespace cleave {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "pose.h"
-#include "posed_vertices.h"
-#include "refuse.h"
+#include "scene/pose.h"
+#include "scene/posed_vertices.h"
+#include "scene/refuse.h"
 
 namespace cleave {
 

@@ -1,8 +1,8 @@
-#include "posed_vertices.h"
+#include "scene/posed_vertices.h"
 
 #include <cmath>
 
-#include "refuse.h"
+#include "scene/refuse.h"
 
 namespace cleave {
 namespace {

@@ -1,10 +1,10 @@
-#include "ray_sets.h"
+#include "scene/ray_sets.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "camera.h"
+#include "scene/camera.h"
 
 namespace cleave {
 namespace {

@@ -1,9 +1,9 @@
-#include "read_buffers.h"
+#include "scene/read_buffers.h"
 
 #include <tiny_gltf.h>
 
-#include "check_values.h"
-#include "gltf_uri.h"
+#include "scene/check_values.h"
+#include "scene/gltf_uri.h"
 
 namespace cleave {
 namespace {

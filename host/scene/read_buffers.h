@@ -1,9 +1,9 @@
 // Reads the bytes of the buffers that a scene may need.
 #pragma once
 
-#include "gltf_file.h"
-#include "refuse.h"
-#include "scene.h"
+#include "scene/gltf_file.h"
+#include "scene/refuse.h"
+#include "scene/scene.h"
 
 namespace cleave {
 

@@ -10,7 +10,11 @@
 
 namespace cleave {
 
-constexpr size_t kLongestMessage = 600;
+// Returns a text fit for one line of output, cut at a sensible length: it may quote a file.
+inline std::string messageOf(const std::string& text) {
+    constexpr size_t kLongest = 600;
+    return oneLine(text.substr(0, kLongest));
+}
 
 // Throws what is wrong with a glTF file, without its name, which `naming` adds, and general advice where none is given.
 [[noreturn]] inline void refuseGltf(
@@ -24,9 +28,9 @@ auto naming(const std::string& failed, const Work& work) {
     try {
         return work();
     } catch (const std::bad_alloc&) {
-        throw Error(oneLine(failed + ": there is not enough memory; load a smaller scene", kLongestMessage));
+        throw Error(messageOf(failed + ": there is not enough memory; load a smaller scene"));
     } catch (const std::exception& e) {
-        throw Error(oneLine(failed + ": " + e.what(), kLongestMessage));
+        throw Error(messageOf(failed + ": " + e.what()));
     }
 }
 
@@ -36,7 +40,7 @@ class Warnings {
   public:
     void add(const std::string& sentence) {
         if (sentences_.size() < kMost)
-            sentences_.push_back(oneLine(sentence, kLongestMessage));
+            sentences_.push_back(messageOf(sentence));
         else
             ++surplus_;
     }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "gltf.h"
+#include "scene/gltf.h"
 
 namespace cleave {
 

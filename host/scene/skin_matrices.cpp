@@ -1,6 +1,6 @@
-#include "skin_matrices.h"
+#include "scene/skin_matrices.h"
 
-#include "accessor_view.h"
+#include "scene/accessor_view.h"
 
 namespace cleave {
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-#include "scene.h"
+#include "scene/scene.h"
 
 namespace cleave {
 

@@ -1,7 +1,7 @@
-#include "triangle_count.h"
+#include "scene/triangle_count.h"
 
-#include "node_transforms.h"
-#include "refuse.h"
+#include "scene/node_transforms.h"
+#include "scene/refuse.h"
 
 namespace cleave {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "scene.h"
+#include "scene/scene.h"
 
 namespace cleave {
 
