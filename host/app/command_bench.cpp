@@ -22,7 +22,7 @@ using RaySets = std::array<RaySet, kRaySets.size()>;
 void makeSecondaryRays(RaySets& sets, const Session& session, std::span<const Hit> primaryHits) {
     const Box bounds = session.worldBounds();
     const std::vector<SurfacePoint> points =
-        surfacePoints(session.scene().triangles, bounds, sets[0].rays, primaryHits);
+        surfacePoints(session.posed().triangles, bounds, sets[0].rays, primaryHits);
     sets[1] = {diffuseRays(points), Query::closest};
     sets[2] = {shadowRays(points, bounds), Query::any};
 }
@@ -127,7 +127,7 @@ Json benchScene(Run& run, const std::filesystem::path& file) {
     std::vector<BuilderFigures> all;
     for (const Builder builder : run.options.builders) all.push_back(benchBuilder(run, session, builder, sets));
 
-    run.print(oneLine(file.filename().string()) + ": " + grouped(session.scene().triangles.size()) + " triangles, " +
+    run.print(oneLine(file.filename().string()) + ": " + grouped(session.posed().triangles.size()) + " triangles, " +
               oneLine(run.device.name().value_or("")) + ", median of " + std::to_string(run.options.runs) + "\n" +
               treeTable(all, session.set().included.size()) + rayTable(all) + kernelLines(all) + "\n");
     Json report{{"scene", sceneJson(session)}};

@@ -22,7 +22,7 @@ std::string pointText(glm::vec3 p) {
 }
 
 std::string sceneTable(const Session& session) {
-    const Scene& scene = session.scene();
+    const PosedScene& scene = session.posed();
     Rows rows{{"scene", oneLine(scene.name)}, {"triangles", grouped(scene.triangles.size())}};
     for (const auto& [what, count] : scene.leftOut) rows.push_back({"left out: " + what, grouped(count)});
     if (session.set().nonFinite > 0) rows.push_back({"left out: not finite", grouped(session.set().nonFinite)});
@@ -32,7 +32,7 @@ std::string sceneTable(const Session& session) {
         rows.push_back({"bounds from", pointText(bounds.lo)});
         rows.push_back({"bounds to", pointText(bounds.hi)});
     }
-    rows.push_back({"materials", grouped(scene.materials.size())});
+    rows.push_back({"materials", grouped(session.scene().materials.size())});
     rows.push_back({"cameras", grouped(scene.cameras.size())});
     for (size_t i = 0; i < scene.cameras.size(); ++i)
         rows.push_back({"camera " + std::to_string(i),

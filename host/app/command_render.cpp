@@ -15,7 +15,7 @@ Camera cameraOf(const Session& session, const Options& options) {
     const Box bounds = session.worldBounds();
     ViewOverrides overrides{options.eye, options.look, std::nullopt};
     if (options.fov) overrides.verticalFov = glm::radians(*options.fov);
-    return overridden(chooseCamera(session.scene(), bounds, options.camera), bounds, overrides);
+    return overridden(chooseCamera(session.posed(), bounds, options.camera), bounds, overrides);
 }
 
 PictureRequest requestOf(const Session& session, const Options& options) {

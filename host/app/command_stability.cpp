@@ -8,6 +8,7 @@
 #include "builders/builder_names.h"
 #include "figures/stability_figures.h"
 #include "formats/write_file.h"
+#include "scene/pose.h"
 #include "stability/cases.h"
 
 namespace cleave {
@@ -74,7 +75,7 @@ void runStability(Run& run) {
             sweepScene(run, std::string(made.name), std::string(made.about), world, buildersFor(options, index)));
     }
     for (const std::filesystem::path& file : options.scenes) {
-        const Scene scene = loadGltf(file);
+        const PosedScene scene = pose(loadGltf(file));
         scenes.push_back(
             sweepScene(run, file.filename().string(), "a file", scene.triangles, buildersFor(options, index++)));
     }

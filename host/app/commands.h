@@ -1,4 +1,4 @@
-// The commands, one file each. They throw Error for what fails and UsageError for wrong use that only shows later.
+// The commands, one file each. They throw Error for what fails; NotFound, one of these, is wrong use that shows late.
 #pragma once
 
 #include "app/run.h"

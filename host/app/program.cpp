@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "base/error.h"
 #include "base/text.h"
+#include "scene/not_found.h"
 
 namespace cleave {
 namespace {
@@ -55,6 +56,8 @@ int runProgram(int argc, const char* const* argv) try {
     requirePrinted();
     return 0;
 } catch (const UsageError& error) {
+    return report(error.what(), kWrongUse);
+} catch (const NotFound& error) {
     return report(error.what(), kWrongUse);
 } catch (const std::bad_alloc&) {
     return report("out of memory, on this machine, for this scene; use a smaller scene or picture", kFailed);

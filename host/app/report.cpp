@@ -8,14 +8,14 @@ namespace cleave {
 Json sceneJson(const Session& session) {
     // The kinds that scripts look for are there also where their count is 0.
     Json leftOut{{"points", 0}, {"lines", 0}};
-    for (const auto& [what, count] : session.scene().leftOut) leftOut[what] = count;
+    for (const auto& [what, count] : session.posed().leftOut) leftOut[what] = count;
     leftOut["nonFinite"] = session.set().nonFinite;
     leftOut["noArea"] = session.set().noArea;
     return {{"name", session.scene().name},
-            {"triangles", session.scene().triangles.size()},
+            {"triangles", session.posed().triangles.size()},
             {"leftOut", leftOut},
             {"materials", session.scene().materials.size()},
-            {"cameras", session.scene().cameras.size()}};
+            {"cameras", session.posed().cameras.size()}};
 }
 
 void writeReport(const Run& run, Json report) {

@@ -27,22 +27,24 @@ void buildOnHost(BuiltTree& built, const TriangleSet& set, const BuildSettings& 
 Session::Session(Run& run, const fs::path& file) : run_(run) {
     run_.progress.phase("loading " + oneLine(file.filename().string()));
     scene_ = loadGltf(file);
-    for (const std::string& warning : scene_.warnings) run_.warn(warning);
-    set_ = makeTriangleSet(scene_.triangles);
-    bounds_ = finiteBounds(scene_.triangles);
+    posed_ = pose(scene_);
+    for (const auto& warnings : {scene_.warnings, posed_.warnings})
+        for (const std::string& warning : warnings) run_.warn(warning);
+    set_ = makeTriangleSet(posed_.triangles);
+    bounds_ = finiteBounds(posed_.triangles);
     run_.progress.clear();
 }
 
 const DeviceTriangles& Session::trianglesOnDevice() {
-    if (!onDevice_) onDevice_ = std::make_unique<DeviceTriangles>(run_.device.device(), scene_.triangles);
+    if (!onDevice_) onDevice_ = std::make_unique<DeviceTriangles>(run_.device.device(), posed_.triangles);
     return *onDevice_;
 }
 
 const DeviceMaterials& Session::materialsOnDevice() {
     if (materials_) return *materials_;
     std::vector<glm::vec4> colours;
-    for (const Material& m : scene_.materials) colours.push_back(m.baseColour);
-    materials_ = std::make_unique<DeviceMaterials>(run_.device.device(), scene_.materialOf, colours);
+    for (const gltf::Material& m : scene_.materials) colours.push_back(m.baseColour);
+    materials_ = std::make_unique<DeviceMaterials>(run_.device.device(), posed_.materialOf, colours);
     return *materials_;
 }
 
@@ -90,7 +92,7 @@ const DeviceTree& Session::upload(BuiltTree& built) {
 
 CheckResult Session::check(std::span<const Ray> rays, std::span<const Hit> hits, Query query, uint64_t count) {
     run_.progress.phase("checking");
-    if (!reference_) reference_ = std::make_unique<Reference>(scene_.triangles, set_.included);
+    if (!reference_) reference_ = std::make_unique<Reference>(posed_.triangles, set_.included);
     CheckResult result = cleave::check(*reference_, rays, hits, query, count, run_.options.settings.threads);
     run_.progress.clear();
     return result;

@@ -12,16 +12,17 @@
 #include "app/run.h"
 #include "figures/built_tree.h"
 #include "judge/oracle.h"
-#include "scene/scene.h"
+#include "scene/pose.h"
 
 namespace cleave {
 
 class Session {
   public:
-    // Loads the scene and passes its warnings on. `run` outlives the session.
+    // Loads the scene, poses it and passes warnings on. `run` outlives the session.
     Session(Run& run, const std::filesystem::path& file);
 
     const Scene& scene() const { return scene_; }
+    const PosedScene& posed() const { return posed_; }
     const TriangleSet& set() const { return set_; }
     // Of the triangles with finite vertices, in world space; empty without any.
     const Box& worldBounds() const { return bounds_; }
@@ -44,6 +45,7 @@ class Session {
 
     Run& run_;
     Scene scene_;
+    PosedScene posed_;
     TriangleSet set_;
     Box bounds_ = emptyBox();
     std::unique_ptr<DeviceTriangles> onDevice_;

@@ -64,7 +64,7 @@ SurveyBuilder judged(Run& run, Session& session, Builder builder, SurveyRays& ra
     const std::string what = session.scene().name + ", " + nameOf(builder);
     const std::vector<Hit> hits = traceJudged(run, session, tree, rays.primary, what + ", primary rays", figures.check);
     if (rays.diffuse.empty() && !hits.empty())
-        rays.diffuse = diffuseRays(surfacePoints(session.scene().triangles, session.worldBounds(), rays.primary, hits));
+        rays.diffuse = diffuseRays(surfacePoints(session.posed().triangles, session.worldBounds(), rays.primary, hits));
     traceJudged(run, session, tree, rays.diffuse, what + ", diffuse rays", figures.check);
     figures.rayCost = costPerRay(run, tree, rays);
     return figures;

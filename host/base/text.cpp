@@ -15,14 +15,6 @@ size_t widthOf(std::string_view text) {
 
 }  // namespace
 
-std::string oneLine(std::string_view text) {
-    std::string line(text);
-    for (char& c : line)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
-    while (!line.empty() && line.back() == ' ') line.pop_back();
-    return line;
-}
-
 std::string fixed(double value, int digits) {
     if (!std::isfinite(value)) return "-";
     const int length = std::snprintf(nullptr, 0, "%.*f", digits, value);

@@ -7,10 +7,9 @@
 #include <string_view>
 #include <vector>
 
-namespace cleave {
+#include "base/one_line.h"
 
-// Text from a file or a driver, safe to print on one line: control characters become spaces.
-std::string oneLine(std::string_view text);
+namespace cleave {
 
 std::string fixed(double value, int digits);                 // "12.30"; what is not finite is "-"
 std::string fixed(std::optional<double> value, int digits);  // nothing is "-"

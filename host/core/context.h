@@ -1,4 +1,4 @@
-// What a Context holds: the pipelines of the library, all made when it is created.
+// The insides of a Context: the pipelines of the library, all made when it is created.
 #pragma once
 
 #include <vector>

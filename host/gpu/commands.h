@@ -8,7 +8,7 @@
 
 namespace cleave {
 
-// What the dispatches of one pass took together.
+// The time that the dispatches of one pass took together.
 struct PassTime {
     std::string name;
     double ms = 0.0;

@@ -132,6 +132,12 @@ void Device::storePipelineCache() {
     options_.storePipelines(pipelineKey(), data);
 }
 
+uint64_t Device::memoryInUse() const {
+    VmaTotalStatistics statistics{};
+    vmaCalculateStatistics(allocator(), &statistics);
+    return statistics.total.statistics.allocationBytes;
+}
+
 StagingRing& Device::staging() {
     if (!staging_) staging_ = std::make_unique<StagingRing>(*this, options_.stagingBytes);
     return *staging_;

@@ -76,6 +76,9 @@ class Device {
     // Ticks of the queue's clock that are valid, as a mask; 0: it has no clock.
     uint64_t clockMask() const { return clockMask_; }
 
+    // Bytes of device memory that buffers hold at present.
+    uint64_t memoryInUse() const;
+
     StagingRing& staging();
     TransferCount transfers;  // whoever counts sets it to zero
 

@@ -8,7 +8,7 @@
 
 namespace cleave {
 
-// What pipelines are made with. `functions` outlives them.
+// Where pipelines are made. `functions` outlives them.
 struct PipelineHome {
     const Functions* functions = nullptr;
     VkDevice device = VK_NULL_HANDLE;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr uint32_t kMostStamps = 32;
 
-// What PipelineHome needs to outlive the kernels.
+// Loads the functions that the kernels go on using.
 Functions functionsOf(const Device& device) {
     Functions functions;
     if (const char* missing = functions.load(vkGetInstanceProcAddr, device.instance(), device.handle()))

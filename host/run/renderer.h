@@ -9,7 +9,7 @@
 
 namespace cleave {
 
-// What a picture needs of a scene beside its triangles.
+// The materials of a scene, as a picture needs them.
 struct DeviceMaterials {
     Buffer materialOf;   // uint32 per triangle
     Buffer baseColours;  // vec4 per material, linear

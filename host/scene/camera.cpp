@@ -3,7 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/error.h"
+#include "scene/not_found.h"
+#include "scene/pose.h"
 
 namespace cleave {
 namespace {
@@ -12,7 +13,7 @@ using glm::dvec3;
 
 constexpr double kDefaultFov = std::numbers::pi / 4.0;
 
-// A scene without extent has no scale of its own; any will do.
+// The diagonal of a box, or 1 where it has none: a scene without extent has no scale of its own.
 double diagonalOf(const Box& bounds) {
     const double diagonal = isEmpty(bounds) ? 0.0 : glm::length(dvec3(bounds.hi) - dvec3(bounds.lo));
     return diagonal > 0.0 ? diagonal : 1.0;
@@ -20,15 +21,7 @@ double diagonalOf(const Box& bounds) {
 
 dvec3 centreOf(const Box& bounds) { return isEmpty(bounds) ? dvec3(0.0) : 0.5 * (dvec3(bounds.lo) + dvec3(bounds.hi)); }
 
-std::string listOf(const std::vector<Camera>& cameras) {
-    if (cameras.empty()) return "the scene has no camera";
-    std::string text = "the scene has";
-    for (size_t i = 0; i < cameras.size(); ++i)
-        text += (i == 0 ? " " : ", ") + std::to_string(i) + " '" + cameras[i].name + "'";
-    return text;
-}
-
-// How far the edge of the picture is from its middle, vertically: at distance 1, or in all for an orthographic camera.
+// Half the height of the picture: at distance 1, or at any distance for an orthographic camera.
 double halfHeight(const Camera& camera) {
     return camera.orthographic ? 0.5 * camera.orthographicHeight : std::tan(0.5 * camera.verticalFov);
 }
@@ -65,13 +58,9 @@ Camera defaultCamera(const Box& bounds) {
     return camera;
 }
 
-Camera chooseCamera(const Scene& scene, const Box& bounds, const std::string& nameOrIndex) {
+Camera chooseCamera(const PosedScene& scene, const Box& bounds, const std::string& nameOrIndex) {
     if (nameOrIndex.empty()) return scene.cameras.empty() ? defaultCamera(bounds) : scene.cameras.front();
-    for (const Camera& camera : scene.cameras)
-        if (camera.name == nameOrIndex) return camera;
-    for (size_t i = 0; i < scene.cameras.size(); ++i)
-        if (std::to_string(i) == nameOrIndex) return scene.cameras[i];
-    throw UsageError("there is no camera '" + nameOrIndex + "' in '" + scene.name + "': " + listOf(scene.cameras));
+    return scene.cameras[findNamed(scene.cameras, nameOrIndex, "camera", scene.name)];
 }
 
 Camera overridden(const Camera& camera, const Box& bounds, const ViewOverrides& overrides) {

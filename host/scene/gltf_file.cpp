@@ -4,7 +4,7 @@
 #include <cstring>
 #include <fstream>
 
-#include "base/error.h"
+#include "scene/refuse.h"
 
 namespace cleave {
 namespace {
@@ -16,7 +16,7 @@ using Bytes = std::span<const unsigned char>;
 constexpr uint32_t kMagic = 0x46546C67u;      // "glTF"
 constexpr uint32_t kJsonChunk = 0x4E4F534Au;  // "JSON"
 constexpr uint32_t kDataChunk = 0x004E4942u;  // "BIN"
-constexpr int kMaxJsonDepth = 100;            // later code, and tinygltf's, is recursive
+constexpr int kMaxJsonDepth = 100;            // the parser is recursive, and so are some checks
 constexpr size_t kMaxJsonBytes = size_t(1) << 30;
 
 uint32_t word(Bytes bytes, size_t at) {
@@ -52,7 +52,7 @@ nlohmann::json parseJson(Bytes text) {
     }
 }
 
-// The chunk at `at`, which moves behind it (chunks are padded to four bytes).
+// Returns the chunk at `at`, and moves `at` past it (chunks are padded to four bytes).
 Bytes takeChunk(Bytes bytes, size_t& at, uint32_t& type) {
     if (bytes.size() - at < 8) refuseGltf("a chunk's header is cut off at byte " + std::to_string(at));
     const uint32_t length = word(bytes, at);
@@ -88,10 +88,6 @@ void readGlb(Bytes bytes, GltfFile& file) {
 
 }  // namespace
 
-void refuseGltf(const std::string& what, const std::string& advice) {
-    throw Error(what + "; " + (advice.empty() ? "check it with the glTF validator, or export it once more" : advice));
-}
-
 std::vector<unsigned char> readBytes(const std::filesystem::path& path) {
     std::error_code failed;
     if (!std::filesystem::exists(path, failed)) refuseGltf("there is no file '" + path.string() + "'", "give its path");
@@ -118,14 +114,6 @@ GltfFile parseGltfFile(const std::filesystem::path& path, Bytes bytes) {
     else
         file.document = parseJson(bytes);
     return file;
-}
-
-std::string oneLine(const std::string& text) {
-    constexpr size_t kLongest = 600;
-    std::string line = text.substr(0, kLongest);
-    for (char& c : line)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
-    return line;
 }
 
 }  // namespace cleave

@@ -1,4 +1,4 @@
-// The file itself: bytes on disk to a JSON document and the binary chunk of a .glb, both still untrusted.
+// Reads a glTF file: its bytes become a JSON document and the binary chunk of a .glb, neither of them checked yet.
 #pragma once
 
 #include <cstdint>
@@ -17,16 +17,10 @@ struct GltfFile {
     bool hasData = false;
 };
 
-// Throws what is wrong with a glTF file, without its name: loadGltf adds that, and the advice where there is none.
-[[noreturn]] void refuseGltf(const std::string& what, const std::string& advice = "");
-
-// The bytes of a regular file.
+// Reads the bytes of a regular file.
 std::vector<unsigned char> readBytes(const std::filesystem::path& path);
 
-// Tells .glb from .gltf by the first four bytes, as names may lie. `path` is where the bytes come from.
+// Parses the bytes of the file `path`. The first four tell .glb from .gltf, as names may lie.
 GltfFile parseGltfFile(const std::filesystem::path& path, std::span<const unsigned char> bytes);
-
-// `text` fit for one line of output: control characters become spaces, and it is cut at a sensible length.
-std::string oneLine(const std::string& text);
 
 }  // namespace cleave

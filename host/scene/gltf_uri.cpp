@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "scene/gltf_file.h"
+#include "scene/refuse.h"
 
 namespace cleave {
 namespace {

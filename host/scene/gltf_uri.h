@@ -1,4 +1,4 @@
-// Which files a scene may name: those in its own folder and below.
+// Keeps a scene to the files in its own folder and below.
 #pragma once
 
 #include <filesystem>
@@ -8,11 +8,11 @@ namespace cleave {
 
 bool isDataUri(const std::string& uri);
 
-// True for http:, file: and any other scheme (and so for C:\). Data URIs are not external.
+// Returns true for http:, file: and any other scheme (and so for C:\). Data URIs are not external.
 bool isExternalUri(const std::string& uri);
 
-// The path of a relative URI, percent-decoded. Throws Error where it leaves `folder`: by its text (.., an absolute
-// path, a scheme, with / or \) or by a symbolic link on disk. The file need not exist.
+// Returns the path of a relative URI, percent-decoded. Throws Error where it leaves `folder`: by its text (.., an
+// absolute path, a scheme, with / or \) or by a symbolic link on disk. The file need not exist.
 std::filesystem::path pathOfUri(const std::filesystem::path& folder, const std::string& uri);
 
 }  // namespace cleave

@@ -1,5 +1,5 @@
-// The ray sets that benchmarks shoot: fixed, so that figures compare across programs. All arithmetic is in double,
-// rounded to float once. A set has size * size rays.
+// Makes the ray sets that benchmarks shoot. They are fixed, so that figures compare across programs: computed in
+// double, rounded to float once. A set has size * size rays.
 #pragma once
 
 #include <cstdint>
@@ -14,30 +14,30 @@ namespace cleave {
 
 constexpr uint32_t kRaySetSize = 1024;
 
-// A permuted congruential generator as a hash (Jarzynski and Olano 2020): one step of pcg's LCG, one output function.
+// Hashes by a permuted congruential generator (Jarzynski and Olano 2020): one step of pcg's LCG, one output function.
 uint32_t pcg(uint32_t x);
-// Uniform in [0, 1), with 24 bits: number k of ray j.
+// Returns number k of ray j, uniform in [0, 1), with 24 bits.
 double rnd(uint32_t seed, uint32_t j, uint32_t k);
 
-// The default camera's rays, in tiles of 8 x 8 pixels, t in [0, 1e30]; `bounds` of the finite triangles, in the world.
-// `interior` stands inside of a room and looks at its far wall.
+// Returns the default camera's rays, in tiles of 8 x 8 pixels, t in [0, 1e30]; `bounds` of the finite triangles, in the
+// world. `interior` stands inside of a room and looks at its far wall.
 std::vector<Ray> primaryRays(const Box& bounds, bool interior = false, uint32_t size = kRaySetSize);
 
-// Where secondary rays start: primary hits, in order. Each has its point moved off the surface, to the ray's side.
+// A start of secondary rays: a primary hit, whose point is moved off the surface, to the ray's side.
 struct SurfacePoint {
     dvec3 position;
     dvec3 normal;  // unit length, towards the origin of the ray
 };
-// `world` triangles; hits[i] answers rays[i].
+// Returns the points of all hits, in order, on `world` triangles; hits[i] answers rays[i].
 std::vector<SurfacePoint> surfacePoints(std::span<const Triangle> world, const Box& bounds, std::span<const Ray> rays,
                                         std::span<const Hit> hits);
 
-// Ray j starts at point j mod n; no points, no rays. Diffuse: cosine-weighted about the normal, for closest hits.
+// Returns rays for closest hits, cosine-weighted about the normal. Ray j starts at point j mod n; no points, no rays.
 std::vector<Ray> diffuseRays(std::span<const SurfacePoint> points, uint32_t size = kRaySetSize);
-// Towards a large light outside of the scene, tMax its distance; for any hit.
+// Returns rays for any hit, towards a large light outside of the scene, whose distance is tMax.
 std::vector<Ray> shadowRays(std::span<const SurfacePoint> points, const Box& bounds, uint32_t size = kRaySetSize);
 
-// n small triangles, evenly spread in the unit cube.
+// Returns n small triangles, evenly spread in the unit cube.
 std::vector<Triangle> soup(uint32_t n);
 
 }  // namespace cleave

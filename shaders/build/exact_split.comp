@@ -31,7 +31,7 @@ void main() {
             hiRight += uvec3(greaterThan(o.hi, r.hi));
             anyFlat = anyFlat || any(equal(o.lo, o.hi));
         }
-        for (uint j = 0u; anyFlat && j < node.count; j++) {  // seldom
+        for (uint j = 0u; anyFlat && j < node.count; j++) {  // rare
             PrimRef o = refs.at[node.first + j];
             uvec3 isFlat = uvec3(equal(o.lo, o.hi));
             loPlanar += isFlat * uvec3(equal(o.lo, r.lo));

@@ -9,7 +9,7 @@ void main() {
     uint refs = args.state.at.refTotals.x + args.state.at.refTotals.y;
     uvec4 totals = args.state.at.nodeTotals;
     uint nodes = args.state.at.nodesUsed + 2u * totals.x;
-    // All references of the next level may end in leaves: there must be room for them, too.
+    // All references of the next level may end in leaves: they must fit there, too.
     uint leafRefs = args.state.at.leafRefsUsed + totals.y + refs;
     uint levelNodes = 2u * totals.x;
     bool fits = refs <= args.refCapacity && levelNodes <= args.levelNodeCapacity && nodes <= args.nodeCapacity && leafRefs <= args.leafRefCapacity;

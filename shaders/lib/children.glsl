@@ -1,4 +1,4 @@
-// What becomes of a node once its references are classified; for count_children and emit_nodes.
+// Counts the children of a node once its references are classified; for count_children and emit_nodes.
 
 // Left and right references of a node: the difference of the offsets at its ends.
 uvec2 childCounts(BuildNode node) {
@@ -6,7 +6,7 @@ uvec2 childCounts(BuildNode node) {
     return args.offsets.at[node.first + node.count] - args.offsets.at[node.first];
 }
 
-// What a node adds to BuildState.nodeTotals.
+// Returns what a node adds to BuildState.nodeTotals.
 uvec4 nodeCounts(BuildNode node, uvec2 children) {
     if (node.split.axis == kLeafAxis) return uvec4(0u, node.count, 0u, 0u);
     uint upTo = args.exactUpTo;

@@ -1,4 +1,4 @@
-// What every kernel of a picture starts with.
+// Every kernel of a picture starts with this.
 #extension GL_EXT_buffer_reference2 : require
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require

@@ -20,7 +20,7 @@
 const float kWiden = 9.5367431640625e-07;  // 2^-20 = 16 u
 const float kLargeT = 3.0e38;
 
-// What traversal reads of a tree, loaded once: not all compilers move loads out of loops.
+// The parts of a tree that traversal reads, loaded once: not all compilers move loads out of loops.
 struct TreeParts {
     KdNodeArray nodes;
     UintArray leafRefs;

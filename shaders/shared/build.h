@@ -1,4 +1,4 @@
-// The data of a breadth-first build, as every pass of it sees them. GLSL and C++ read the same bytes.
+// The data of a breadth-first build. GLSL and C++ read the same bytes.
 //
 // A level is a list of nodes and a list of references; the references of a node are consecutive, in the order of
 // nodes. Nodes with more than `exactUpTo` references are large: they are cut into chunks and split by binning. The
@@ -74,10 +74,10 @@ CLEAVE_FN uint estimatedCount(uint sampled, uint step, uint n) {
 // for a plane there.
 struct NearestFaces {
     uint below;       // ordered bits of the last face before the plane; 0 if there is none
-    uint above;       // of the first one at or behind it
+    uint above;       // of the first one at or above it
     uint left;        // references that begin before the plane: left of it and of either face
-    uint rightBelow;  // those right of the face below: they end at or behind the plane
-    uint right;       // those that end behind the plane
+    uint rightBelow;  // those right of the face below: they end at or above the plane
+    uint right;       // those that end above the plane
     uint planar;      // those that lie in it
 };
 CLEAVE_SIZE(NearestFaces, 24);
@@ -122,7 +122,7 @@ CLEAVE_FN Split snapped(Split s, Box cell, NearestFaces f) {
     return best;
 }
 
-// What `classify` decided about a reference, beside kLeft and kRight: its boxes are in the list of clipped boxes.
+// A bit beside kLeft and kRight: `classify` has clipped the reference, and its boxes are in the list of clipped boxes.
 CLEAVE_CONST uint kClipped = 4u;
 
 // Sizes of a level, and the indirect dispatches over them.
@@ -141,7 +141,7 @@ struct Level {
 };
 CLEAVE_SIZE(Level, 100);
 
-// What is known of the triangles once they are loaded.
+// Describes all triangles together, once they are loaded.
 struct SceneState {
     uint largest;   // bits of the largest |coordinate| of a finite vertex
     uint included;  // triangles in the tree
@@ -151,7 +151,7 @@ struct SceneState {
 };
 CLEAVE_SIZE(SceneState, 40);
 
-// What survives from level to level. Zeroed before a build.
+// Carries a build from level to level. It is zeroed before a build.
 struct BuildState {
     uint nodesUsed;     // KdNodes, those of the next level included
     uint leafRefsUsed;  // entries of the leaf list, those of this level included
@@ -231,7 +231,7 @@ CLEAVE_SIZE(BuildArgs, 232);
 layout(buffer_reference, scalar, buffer_reference_align = 8) buffer BuildArgsRef { BuildArgs at; };
 #endif
 
-// What `scan` sums up.
+// Says what `scan` sums up.
 CLEAVE_CONST uint kScanRefs = 0u;
 CLEAVE_CONST uint kScanNodes = 1u;
 CLEAVE_CONST uint kScanTriangles = 2u;

@@ -1,4 +1,4 @@
-// What the kernel that copies a tree is given.
+// Arguments of the kernel that copies a tree.
 #ifndef CLEAVE_SHARED_COMPACT_H
 #define CLEAVE_SHARED_COMPACT_H
 #include "config.h"

@@ -6,7 +6,7 @@
 
 CLEAVE_BEGIN
 
-// What a picture shows; as View in host/render.
+// The views of a picture; as View in host/render.
 CLEAVE_CONST uint kViewShaded = 0u;
 CLEAVE_CONST uint kViewNormals = 1u;
 CLEAVE_CONST uint kViewDepth = 2u;   // t of the hit, near is bright
@@ -75,7 +75,8 @@ CLEAVE_FN uint pixelOf(uint ray, uint width, uint height) {
     return (8u * strip + y) * width + 8u * tile + x;
 }
 
-// What is known of a whole picture. Zeroed before it is rendered. Bits are ordered ones: larger is farther out.
+// Gathers what concerns the whole picture: its scale and its counters. It is zeroed before a picture is rendered.
+// Larger bits are farther out.
 struct PictureState {
     uint lowBits;   // ~orderedBits of the scale's lower end
     uint highBits;  // orderedBits of its upper end; 0: there is none
@@ -152,7 +153,7 @@ CLEAVE_FN uint scaleRank(uint total) {
     return last / 200u * 199u + last % 200u * 199u / 200u;
 }
 
-// How far a hit stretches the scale of depths: to where its ray leaves the scene's box behind it. The farthest hit
+// How far a hit stretches the scale of depths: to where its ray leaves the scene's box. The farthest hit
 // would not do: it lies where a surface turns away, and the whole scale would hang on one pixel there.
 CLEAVE_FN float depthReach(Ray r, Hit h, Box bounds, int exponent) {
     double unit = powerOfTwo(exponent);

@@ -34,7 +34,7 @@ CLEAVE_FN vec3 hitPoint(Ray r, float t) {
     return vec3(r.origin.x + t * r.direction.x, r.origin.y + t * r.direction.y, r.origin.z + t * r.direction.z);
 }
 
-// From the hit towards the sun. Where there is no hit, a ray of no length: it finds nothing at no cost.
+// Makes a ray from the hit towards the sun. Where there is no hit its interval is a point, so that it costs nothing.
 CLEAVE_FN Ray shadowRay(Ray r, Hit h, Triangle t, float offset) {
     Ray s = r;
     s.tMin = 0.0f;

@@ -22,7 +22,7 @@ CLEAVE_FN Trail emptyTrail() {
     return t;
 }
 
-// What a ray that is answered leaves in place of a trail.
+// Marks a ray that is answered, in place of its trail.
 CLEAVE_CONST uint kFinishedBit = 0x80000000u;
 CLEAVE_FN Trail finishedTrail() {
     Trail t;

@@ -43,7 +43,7 @@ TEST(Session, BuildsWithoutADevice) {
     options.quiet = true;
     cleave::Run run(options);
     Session session(run, folder / "scene.gltf");
-    EXPECT_EQ(session.scene().triangles.size(), 1u);
+    EXPECT_EQ(session.posed().triangles.size(), 1u);
     EXPECT_EQ(session.worldBounds().lo, vec3(-1, -1, 0));
     EXPECT_EQ(session.worldBounds().hi, vec3(3, 3, 0));
     const BuiltTree built = session.build(Builder::exact, 3);

@@ -34,7 +34,7 @@ TEST(Check, SceneFilesAgreeWithTheReference) {
     Tracer tracer(device());
     for (const auto& file : sceneFiles(100000)) {
         SCOPED_TRACE(file.string());
-        const Scene scene = loadGltf(file);
+        const PosedScene scene = pose(loadGltf(file));
         const TriangleSet set = makeTriangleSet(scene.triangles);
         const Reference reference(scene.triangles, set.included);
         const Box bounds = finiteBounds(scene.triangles);
@@ -61,7 +61,7 @@ TEST(Check, SceneFilesAgreeWithTheReference) {
 
 // The reference does find fault: hits that are moved, missing or made up are mismatches.
 TEST(Check, FindsWrongHits) {
-    const Scene scene = loadGltf(std::string(CLEAVE_SOURCE) + "/scenes/cornell.glb");
+    const PosedScene scene = pose(loadGltf(std::string(CLEAVE_SOURCE) + "/scenes/cornell.glb"));
     const TriangleSet set = makeTriangleSet(scene.triangles);
     const Reference reference(scene.triangles, set.included);
     Tracer tracer(device());

@@ -72,7 +72,7 @@ TEST(GpuBuilder, EqualsTwinOnMadeScenes) {
 TEST(GpuBuilder, EqualsTwinOnSceneFiles) {
     for (const auto& file : sceneFiles(50000)) {
         SCOPED_TRACE(file.string());
-        expectTwinsTree(loadGltf(file).triangles, BuildSettings{});
+        expectTwinsTree(pose(loadGltf(file)).triangles, BuildSettings{});
     }
 }
 
@@ -88,7 +88,7 @@ TEST(GpuBuilder, TakesWhatHasNoExtent) {
     }
 }
 
-// Long thin triangles across the whole scene lie in many more cells than the first estimate has room for.
+// Long thin triangles across the whole scene lie in many more cells than the first estimate allows for.
 std::vector<Triangle> needles(uint32_t n) {
     std::mt19937 random(3);
     std::uniform_real_distribution<float> unit(0.0f, 1.0f);

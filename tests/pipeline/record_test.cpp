@@ -1,7 +1,10 @@
 // The recording library as its users see it: their memory, their command buffer, one submission.
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <numeric>
 
 #include "base/error.h"
@@ -296,6 +299,39 @@ TEST(Record, WorksWithoutMappedMemory) {
               treeHash(readBack(*usual.build(DeviceTriangles(device(), world), BuildSettings{}).tree)));
     expectBruteForce(makeTriangleSet(world), rays, Tracer(*discrete).trace(*tree, rays).hits);
     EXPECT_THROW(Buffer(*discrete, (1 << 20) + 1), Error);
+}
+
+uint64_t residentBytes() {
+    uint64_t pages = 0, resident = 0;
+    std::ifstream("/proc/self/statm") >> pages >> resident;
+    return resident * 4096;
+}
+
+// Builds and traces one after the other leave nothing behind, on the device or on the host. CLEAVE_LONG=1: a thousand.
+TEST(Record, MemoryDoesNotGrow) {
+    const char* isLong = std::getenv("CLEAVE_LONG");
+    const int runs = isLong != nullptr && *isLong == '1' ? 1000 : 60;
+    const std::vector<Triangle> world = mixedTriangles(400, 17);
+    const std::vector<Ray> rays = mixedRays(500, 17);
+    GpuBuilder builder(device());
+    Tracer tracer(device());
+    uint64_t onDevice = 0, onHost = 0;
+    for (int run = 0; run < runs; run++) {
+        const DeviceTriangles triangles(device(), world);
+        const auto tree = builder.build(triangles, BuildSettings{}).tree;
+        ASSERT_EQ(tracer.trace(*tree, rays).cappedRays, 0u);
+        if (run == 20) {
+            onDevice = device().memoryInUse();
+            onHost = residentBytes();
+        }
+    }
+    const DeviceTriangles triangles(device(), world);
+    const auto tree = builder.build(triangles, BuildSettings{}).tree;
+    EXPECT_LE(device().memoryInUse(), onDevice + triangles.triangles.size() + tree->memory.size());
+    EXPECT_LE(residentBytes(), onHost + (uint64_t{16} << 20)) << "validation layers keep some";
+    std::printf("%d builds: %.1f MiB on the device, host grew by %.1f MiB\n", runs,
+                static_cast<double>(device().memoryInUse()) / (1 << 20),
+                (static_cast<double>(residentBytes()) - static_cast<double>(onHost)) / (1 << 20));
 }
 
 // A picture whose rays take many dispatches is the picture.

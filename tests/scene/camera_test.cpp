@@ -4,7 +4,8 @@
 
 #include <numbers>
 
-#include "base/error.h"
+#include "scene/not_found.h"
+#include "scene/pose.h"
 
 namespace cleave {
 namespace {
@@ -84,11 +85,11 @@ TEST(Camera, boundsLeaveOutWhatIsNotFinite) {
 }
 
 TEST(Camera, isChosenByNameThenByNumber) {
-    Scene scene;
+    PosedScene scene;
     scene.name = "scene";
     const Box bounds{vec3(0), vec3(1)};
     EXPECT_EQ(chooseCamera(scene, bounds, "").name, "default");
-    EXPECT_THROW(chooseCamera(scene, bounds, "0"), UsageError);
+    EXPECT_THROW(chooseCamera(scene, bounds, "0"), NotFound);
     scene.cameras.resize(3);
     scene.cameras[0].name = "main";
     scene.cameras[1].name = "2";
@@ -100,7 +101,7 @@ TEST(Camera, isChosenByNameThenByNumber) {
     try {
         chooseCamera(scene, bounds, "side");
         FAIL();
-    } catch (const UsageError& error) {
+    } catch (const NotFound& error) {
         EXPECT_NE(std::string(error.what()).find("0 'main', 1 '2', 2 'last'"), std::string::npos) << error.what();
     }
 }

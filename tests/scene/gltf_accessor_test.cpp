@@ -6,7 +6,7 @@
 namespace cleave::test {
 namespace {
 
-vec3 lastVertex(const Scene& scene) { return scene.triangles.at(0).c; }
+vec3 lastVertex(const PosedScene& scene) { return scene.triangles.at(0).c; }
 
 // One triangle whose third vertex has the given components, in integers.
 template <typename Integer>
@@ -42,7 +42,7 @@ TEST(GltfAccessor, followsOffsetAndStride) {
     Document document;
     const int view = document.addView(bytesOf<float>({99, 0, 0, 0, 7, 7, 1, 0, 0, 7, 7, 0, 2, 3}), 20);
     document.addMesh(document.addAccessor(view, 5126, 3, "VEC3", {{"byteOffset", 4}}));
-    const Scene scene = load(document);
+    const PosedScene scene = load(document);
     EXPECT_EQ(scene.triangles[0].b, vec3(1, 0, 0));
     EXPECT_EQ(scene.triangles[0].c, vec3(0, 2, 3));
 }
@@ -60,7 +60,7 @@ TEST(GltfAccessor, substitutesSparseValues) {
     const int indices = document.addView(bytesOf<uint16_t>({0, 2}));
     const int values = document.addView(bytesOf<float>({5, 5, 5, 6, 6, 6}));
     document.addMesh(document.addAccessor(base, 5126, 3, "VEC3", sparse(indices, 5123, values, 2)));
-    const Scene scene = load(document);
+    const PosedScene scene = load(document);
     EXPECT_EQ(scene.triangles[0].a, vec3(5));
     EXPECT_EQ(scene.triangles[0].b, vec3(1, 0, 0));
     EXPECT_EQ(scene.triangles[0].c, vec3(6));
@@ -71,7 +71,7 @@ TEST(GltfAccessor, fillsWithZerosWithoutABufferView) {
     const int indices = document.addView(bytesOf<uint8_t>({1}));
     const int values = document.addView(bytesOf<float>({3, 4, 5}));
     document.addMesh(document.addAccessor(-1, 5126, 3, "VEC3", sparse(indices, 5121, values, 1)));
-    const Scene scene = load(document);
+    const PosedScene scene = load(document);
     EXPECT_EQ(scene.triangles[0].a, vec3(0));
     EXPECT_EQ(scene.triangles[0].b, vec3(3, 4, 5));
 }
@@ -104,13 +104,13 @@ TEST(GltfAccessor, refusesWhatReachesPastItsData) {
         return refusal(document);
     };
     EXPECT_EQ(refusal(triangleDocument()), "");
-    EXPECT_NE(spoiled("accessors", "count", 4).find("room for 3"), std::string::npos);
-    EXPECT_NE(spoiled("accessors", "byteOffset", 4).find("room for 2"), std::string::npos);
-    EXPECT_NE(spoiled("accessors", "byteOffset", uint64_t(1) << 40).find("room for 0"), std::string::npos);
+    EXPECT_NE(spoiled("accessors", "count", 4).find("holds 3"), std::string::npos);
+    EXPECT_NE(spoiled("accessors", "byteOffset", 4).find("holds 2"), std::string::npos);
+    EXPECT_NE(spoiled("accessors", "byteOffset", uint64_t(1) << 40).find("holds 0"), std::string::npos);
     EXPECT_NE(spoiled("bufferViews", "byteLength", 37).find("past the end"), std::string::npos);
     EXPECT_NE(spoiled("bufferViews", "byteOffset", 1).find("past the end"), std::string::npos);
     EXPECT_NE(spoiled("bufferViews", "byteStride", 8).find("byteStride"), std::string::npos);
-    EXPECT_NE(spoiled("accessors", "count", uint64_t(1) << 47).find("more than"), std::string::npos);
+    EXPECT_NE(spoiled("accessors", "count", uint64_t(1) << 47).find("holds 3"), std::string::npos);
     EXPECT_NE(spoiled("accessors", "count", ~uint64_t(0)).find("whole number"), std::string::npos);
     EXPECT_NE(spoiled("bufferViews", "byteOffset", ~uint64_t(0) - 3).find("whole number"), std::string::npos);
 }
@@ -125,17 +125,17 @@ TEST(GltfAccessor, refusesIndicesOfOtherVertices) {
 TEST(GltfAccessor, refusesTypesThatAreNeitherPositionsNorIndices) {
     Document flat = triangleDocument();
     flat.json["accessors"][0]["type"] = "VEC2";
-    EXPECT_NE(refusal(flat).find("VEC3"), std::string::npos);
+    EXPECT_NE(refusal(flat).find("must hold VEC3"), std::string::npos);
     Document strange = triangleDocument();
     strange.json["accessors"][0]["type"] = "VEC5";
-    EXPECT_NE(refusal(strange).find("VEC3"), std::string::npos);
+    EXPECT_NE(refusal(strange).find("must hold VEC3"), std::string::npos);
     Document integers = triangleDocument();
     integers.json["accessors"][0]["componentType"] = 5125;
-    EXPECT_NE(refusal(integers).find("neither floats"), std::string::npos);
+    EXPECT_NE(refusal(integers).find("must hold VEC3 of floats or of integers of 8 or 16 bits"), std::string::npos);
     Document document;
     const int positions = document.addPositions({0, 0, 0, 1, 0, 0, 0, 1, 0});
     document.addMesh(positions, document.addAccessor(document.addView(bytesOf<float>({0, 1, 2})), 5126, 3, "SCALAR"));
-    EXPECT_NE(refusal(document).find("without sign"), std::string::npos);
+    EXPECT_NE(refusal(document).find("must hold SCALAR of integers without sign"), std::string::npos);
 }
 
 }  // namespace

@@ -29,9 +29,9 @@ TEST(GltfNodes, goDepthFirstInListedOrder) {
 
 TEST(GltfNodes, applyScaleThenRotationThenTranslation) {
     // 90 degrees about z turns (2, 0, 0) into (0, 2, 0); the mirrored y axis turns (0, -3, 0) into (3, 0, 0).
-    const Scene scene = load(nodesDocument(R"([{"mesh": 0, "translation": [10, 20, 30], "scale": [2, -3, 1],
+    const PosedScene scene = load(nodesDocument(R"([{"mesh": 0, "translation": [10, 20, 30], "scale": [2, -3, 1],
         "rotation": [0, 0, 0.70710678, 0.70710678]}])",
-                                           {0}));
+                                                {0}));
     const Triangle& t = scene.triangles.at(0);
     EXPECT_EQ(t.a, vec3(10, 20, 30));
     EXPECT_NEAR(glm::distance(t.b, vec3(10, 22, 30)), 0.0f, 2e-6f);
@@ -40,10 +40,10 @@ TEST(GltfNodes, applyScaleThenRotationThenTranslation) {
 
 TEST(GltfNodes, multiplyMatricesColumnByColumn) {
     // Outer: x -> y -> z -> x, and moved by (100, 0, 0); inner: twice as large, moved by (1, 2, 3).
-    const Scene scene = load(nodesDocument(R"([
+    const PosedScene scene = load(nodesDocument(R"([
         {"matrix": [0,1,0,0, 0,0,1,0, 1,0,0,0, 100,0,0,1], "children": [1]},
         {"mesh": 0, "matrix": [2,0,0,0, 0,2,0,0, 0,0,2,0, 1,2,3,1]}])",
-                                           {0}));
+                                                {0}));
     const Triangle& t = scene.triangles.at(0);
     EXPECT_EQ(t.a, vec3(103, 1, 2));
     EXPECT_EQ(t.b, vec3(103, 3, 2));  // (1,0,0) -> (3,2,3) -> (3+100,3,2)
@@ -52,7 +52,7 @@ TEST(GltfNodes, multiplyMatricesColumnByColumn) {
 
 // In float, 1e8 + 1 - 1e8 would be 0: positions are rounded once, at the end.
 TEST(GltfNodes, roundOnce) {
-    const Scene scene = load(nodesDocument(
+    const PosedScene scene = load(nodesDocument(
         R"([{"translation": [-1e8, 0, 0], "children": [1]}, {"mesh": 0, "translation": [1e8, 0, 0]}])", {0}));
     EXPECT_EQ(scene.triangles.at(0).b.x, 1.0f);
 }
@@ -79,7 +79,7 @@ TEST(GltfNodes, mayFormALongChain) {
 }
 
 TEST(GltfNodes, survivesATransformThatOverflows) {
-    const Scene scene =
+    const PosedScene scene =
         load(nodesDocument(R"([{"scale": [1e300, 1, 1], "children": [1]}, {"mesh": 0, "scale": [1e300, 1, 1]}])", {0}));
     ASSERT_EQ(scene.triangles.size(), 1u);
     EXPECT_TRUE(mentions(scene.warnings, "not finite"));
@@ -94,7 +94,7 @@ TEST(GltfCamera, isPlacedByItsNode) {
     document.json["cameras"] = Json::parse(R"([
         {"name": "main", "type": "perspective", "perspective": {"yfov": 0.5, "znear": 0.1}},
         {"type": "orthographic", "orthographic": {"xmag": 1, "ymag": 2, "znear": 0, "zfar": 10}}])");
-    const Scene scene = load(document);
+    const PosedScene scene = load(document);
     ASSERT_EQ(scene.cameras.size(), 2u);
     const Camera& side = scene.cameras[0];
     EXPECT_EQ(side.name, "side");
@@ -113,7 +113,7 @@ TEST(GltfCamera, thatShowsNothingIsIgnored) {
     document.json["cameras"] = Json::parse(R"([
         {"type": "perspective", "perspective": {"yfov": 4, "znear": 0.1}},
         {"type": "perspective", "perspective": {"yfov": 1, "znear": 0.1}}])");
-    const Scene scene = load(document);
+    const PosedScene scene = load(document);
     EXPECT_TRUE(scene.cameras.empty());
     EXPECT_EQ(scene.warnings.size(), 2u);
 }

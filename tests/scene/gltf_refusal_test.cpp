@@ -61,7 +61,7 @@ TEST(GltfRefusal, namesWhatIsWrongInOneLine) {
         {"componentType", [](Document& d) { d.json["accessors"][0]["componentType"] = 1; }},
         {"bufferViews[0].buffer", [](Document& d) { d.json["bufferViews"][0]["buffer"] = 1; }},
         {"bufferViews[0] has no buffer", [](Document& d) { d.json["bufferViews"][0].erase("buffer"); }},
-        {"yteStride", [](Document& d) { d.json["bufferViews"][0]["byteStride"] = 13; }},
+        {"bufferViews[0].byteStride is 13", [](Document& d) { d.json["bufferViews"][0]["byteStride"] = 13; }},
         {"nodes is not an array", [](Document& d) { d.json["nodes"] = 3; }},
         {"no object", [](Document& d) { d.json["meshes"] = {3}; }},
     };
@@ -162,8 +162,8 @@ TEST(GltfUri, refusesBuffersThatAreMissingOrShort) {
 
 TEST(GltfUri, imagesMayBeMissingButMayNotEscape) {
     Document document = triangleDocument();
-    document.json["images"] = {{{"uri", "no such.png"}}, {{"bufferView", 99}}, {{"uri", "data:image/png;base64,??"}}};
-    const Scene scene = load(document);
+    document.json["images"] = {{{"uri", "no such.png"}}, {{"uri", "data:image/png;base64,??"}}};
+    const PosedScene scene = load(document);
     EXPECT_EQ(scene.triangles.size(), 1u);
     EXPECT_EQ(scene.warnings.size(), 1u);
     EXPECT_TRUE(mentions(scene.warnings, "no such.png"));
@@ -188,7 +188,7 @@ TEST(GltfUri, anUnusedBufferIsNotRead) {
 TEST(GltfUri, leavesOutGeometryWhoseBufferIsNowhere) {
     Document document = triangleDocument();
     document.json["buffers"] = {{{"byteLength", 36}}};
-    Scene scene = load(document);
+    PosedScene scene = load(document);
     EXPECT_TRUE(scene.triangles.empty());
     EXPECT_EQ(scene.leftOut["primitivesWithoutData"], 1u);
     EXPECT_EQ(scene.warnings.size(), 1u);
@@ -201,7 +201,7 @@ TEST(GltfRefusal, warningsStayFewAndShort) {
     document.json["nodes"] = Json(40, Json{{"mesh", 0}, {"name", std::string(30000, 'n') + "\n"}});
     document.json.erase("scenes");
     document.json.erase("scene");
-    const Scene scene = load(document);
+    const PosedScene scene = load(document);
     EXPECT_EQ(scene.leftOut.at("primitivesWithoutPosition"), 2000u);
     ASSERT_EQ(scene.warnings.size(), 21u);
     EXPECT_NE(scene.warnings.back().find("1980 more"), std::string::npos) << scene.warnings.back();
@@ -214,8 +214,10 @@ TEST(GltfRefusal, warningsStayFewAndShort) {
 TEST(GltfRefusal, boundsTheTriangles) {
     const std::string text = triangleDocument().text();
     const std::vector<unsigned char> bytes(text.begin(), text.end());
-    EXPECT_EQ(loadGltf("scene.gltf", bytes, 1).triangles.size(), 1u);
+    const Scene scene = loadGltf("scene.gltf", bytes, 1);
+    EXPECT_EQ(pose(scene, {}, 1).triangles.size(), 1u);
     EXPECT_THROW(loadGltf("scene.gltf", bytes, 0), Error);
+    EXPECT_THROW(pose(scene, {}, 0), Error);
     // 300 bytes that ask for gigabytes: positions without a bufferView are zeros.
     Document zeros;
     zeros.addMesh(zeros.addAccessor(-1, 5126, 3 * (kMostTriangles + 1), "VEC3"));

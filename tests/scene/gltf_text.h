@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "scene/scene.h"
+#include "scene/pose.h"
 
 namespace cleave::test {
 
@@ -124,13 +124,24 @@ inline Document triangleDocument() {
     return document;
 }
 
-inline Scene loadText(const std::string& text, const std::string& name = "scene.gltf") {
+inline Scene sceneOf(const std::string& text, const std::string& name = "scene.gltf") {
     const Folder folder;
     return loadGltf(folder.write(name, text));
 }
-inline Scene load(const Document& document) { return loadText(document.text()); }
+inline Scene sceneOf(const Document& document) { return sceneOf(document.text()); }
 
-// The message of the Error that loading throws; empty if it throws none.
+// The rest pose of a scene, with the warnings of loading it as well.
+inline PosedScene posed(const Scene& scene) {
+    PosedScene result = pose(scene);
+    result.warnings.insert(result.warnings.begin(), scene.warnings.begin(), scene.warnings.end());
+    return result;
+}
+inline PosedScene loadText(const std::string& text, const std::string& name = "scene.gltf") {
+    return posed(sceneOf(text, name));
+}
+inline PosedScene load(const Document& document) { return loadText(document.text()); }
+
+// The message of the Error that loading or posing throws; empty if neither throws one.
 inline std::string refusal(const std::string& text, const std::string& name = "scene.gltf") {
     try {
         loadText(text, name);
@@ -142,7 +153,7 @@ inline std::string refusal(const std::string& text, const std::string& name = "s
 inline std::string refusal(const Document& document) { return refusal(document.text()); }
 
 // The x of every vertex: enough to tell vertices apart that lie at (0, y, z), (1, y, z), (2, y, z), ...
-inline std::vector<float> xOf(const Scene& scene) {
+inline std::vector<float> xOf(const PosedScene& scene) {
     std::vector<float> xs;
     for (const Triangle& t : scene.triangles) xs.insert(xs.end(), {t.a.x, t.b.x, t.c.x});
     return xs;

@@ -2,6 +2,7 @@
 // A number into every field of the shared structs, counting up.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_buffer_reference2 : require
+#extension GL_EXT_buffer_reference_uvec2 : require
 #extension GL_EXT_scalar_block_layout : require
 #include "layout.h"
 
@@ -101,4 +102,14 @@ void main() {
     r.state.level[1].once.x = 115u;
     r.state.level[1].once.y = 116u;
     r.state.level[1].once.z = 117u;
+    uint next = kFirstListed;
+#define SET_UINT(field) r.field = next++;
+#define SET_INT(field) r.field = int(next++);
+#define SET_FLOAT(field) r.field = float(next++);
+#define SET_DOUBLE(field) r.field = double(next++);
+#define SET_ADDRESS(field, Array) r.field = Array(uvec2(next++, 0u));
+    CLEAVE_LAYOUT_FIELDS(SET_UINT, SET_INT, SET_FLOAT, SET_DOUBLE, SET_ADDRESS)
+#define SET_BUILD(name, Element, Array, count) r.buildArgs.name = Array(uvec2(next++, 0u));
+#define SET_PICTURE(name, Element, Array, count) r.pictureArgs.name = Array(uvec2(next++, 0u));
+    CLEAVE_LAYOUT_ARRAYS(SET_BUILD, SET_PICTURE)
 }

@@ -113,6 +113,13 @@ TEST(Layout, HostFindsWhatTheShaderWrote) {
     EXPECT_EQ(r.state.level[1].once.x, 115u);
     EXPECT_EQ(r.state.level[1].once.y, 116u);
     EXPECT_EQ(r.state.level[1].once.z, 117u);
+    uint32_t next = kFirstListed;
+#define SEE(field) EXPECT_EQ(r.field, static_cast<decltype(r.field)>(next++)) << #field;
+#define SEE_ADDRESS(field, Array) SEE(field)
+    CLEAVE_LAYOUT_FIELDS(SEE, SEE, SEE, SEE, SEE_ADDRESS)
+#define SEE_BUILD(name, Element, Array, count) SEE(buildArgs.name)
+#define SEE_PICTURE(name, Element, Array, count) SEE(pictureArgs.name)
+    CLEAVE_LAYOUT_ARRAYS(SEE_BUILD, SEE_PICTURE)
 }
 
 }  // namespace cleave::test

@@ -12,7 +12,7 @@ TEST(LoadTriangles, EqualsTwinAtEverySize) {
     for (uint32_t n : kSizes) expectPassEqualsTwin("load_triangles", n, seed++);
 }
 
-// What the device loads is what the host's builders are given.
+// The device loads the same triangles that the host's builders are given.
 TEST(LoadTriangles, MakesTheTriangleSetOfTheHost) {
     std::vector<Triangle> world = mixedTriangles(1000, 9);
     world[3].a.x = NAN;

@@ -13,7 +13,7 @@ Device& device();
 // A device of its own for a test that needs other options; its validation messages count, too.
 std::unique_ptr<Device> openTestDevice(DeviceOptions options);
 
-// What kernels of a test are made with.
+// Where kernels of a test are made.
 PipelineHome pipelineHome();
 
 // Runs before the device is closed: for what a test program keeps on it.

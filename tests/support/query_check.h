@@ -10,7 +10,7 @@
 
 namespace cleave::test {
 
-// What went wrong first, as text and code to replay it.
+// Tells what went wrong first, as text and as code to replay it.
 struct QueryFailure {
     size_t ray = 0;
     std::string what;

@@ -207,7 +207,7 @@ struct TraceCounts {
     uint32_t unfinishedRays;  // see TraceInfo::trails; answered as misses where there are none
 };
 
-// What one ray did.
+// The work of one ray, counted.
 struct TraceSteps {
     uint32_t inner;      // inner nodes visited, those of restarts included
     uint32_t leaves;     // leaves visited

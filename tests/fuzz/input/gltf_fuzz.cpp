@@ -1,4 +1,5 @@
-// Any bytes are a scene or an Error of one line: no crash, no leak, nothing read outside of the scene's folder.
+// Any bytes are a scene that can be posed at any time, or an Error of one line: no crash, no leak, nothing read outside
+// of the scene's folder.
 #include <sys/inotify.h>
 #include <unistd.h>
 
@@ -6,7 +7,7 @@
 
 #include "base/error.h"
 #include "harness.h"
-#include "scene/scene.h"
+#include "scene/pose.h"
 
 namespace cleave::fuzz {
 namespace {
@@ -31,18 +32,28 @@ class Watch {
 
 bool isUnit(const glm::dvec3& v) { return std::fabs(glm::length(v) - 1.0) < 1e-6; }
 
-void requireSound(const Scene& scene) {
-    require(scene.triangles.size() <= kMostTriangles, "the limit holds");
-    require(scene.triangles.size() == scene.materialOf.size(), "each triangle has a material");
-    for (const uint32_t material : scene.materialOf) require(material < scene.materials.size(), "a material exists");
+void requireSound(const Scene& scene, const PosedScene& posed) {
+    require(posed.triangles.size() <= kMostTriangles, "the limit holds");
+    require(posed.triangles.size() == posed.materialOf.size(), "each triangle has a material");
+    for (const uint32_t material : posed.materialOf) require(material < scene.materials.size(), "a material exists");
     require(!scene.materials.empty(), "there is a default material");
-    for (const Material& material : scene.materials)
+    for (const gltf::Material& material : scene.materials)
         for (int i = 0; i < 4; ++i)
             require(material.baseColour[i] >= 0.0f && material.baseColour[i] <= 1.0f, "colours are in [0, 1]");
-    for (const Camera& camera : scene.cameras)
+    for (const Camera& camera : posed.cameras)
         require(isUnit(camera.forward) && isUnit(camera.up) && std::fabs(glm::dot(camera.forward, camera.up)) < 1e-6,
                 "a camera has directions", camera.name);
-    for (const std::string& warning : scene.warnings) requireOneLine(warning);
+    for (const PlacedLight& light : posed.lights)
+        require(light.light < scene.lights.size() && isUnit(light.direction), "a light exists, and has a direction");
+    for (const auto& warnings : {scene.warnings, posed.warnings})
+        for (const std::string& warning : warnings) requireOneLine(warning);
+}
+
+// At rest and at times before, between and after most keys.
+void poseAtTimes(const Scene& scene) {
+    const std::vector<uint32_t> all = allAnimations(scene);
+    for (const std::optional<double> seconds : {std::optional<double>(), {-1.0}, {0.0}, {0.37}, {1e9}})
+        requireSound(scene, pose(scene, {seconds, all}, kMostTriangles));
 }
 
 }  // namespace
@@ -54,7 +65,7 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     static const SceneFolder folder;
     static const Watch outside(folder.outside());
     try {
-        requireSound(cleave::loadGltf(folder.folder() / "scene.gltf", {data, size}, kMostTriangles));
+        poseAtTimes(cleave::loadGltf(folder.folder() / "scene.gltf", {data, size}, kMostTriangles));
     } catch (const cleave::Error& error) {
         requireOneLine(error.what());
     }

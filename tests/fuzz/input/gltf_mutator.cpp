@@ -153,7 +153,28 @@ const char* anyKey(Random& random) {
                                          "name",
                                          "images",
                                          "textures",
-                                         "minVersion"};
+                                         "minVersion",
+                                         "skins",
+                                         "joints",
+                                         "inverseBindMatrices",
+                                         "skeleton",
+                                         "JOINTS_0",
+                                         "WEIGHTS_0",
+                                         "animations",
+                                         "channels",
+                                         "samplers",
+                                         "sampler",
+                                         "target",
+                                         "node",
+                                         "path",
+                                         "input",
+                                         "output",
+                                         "interpolation",
+                                         "index",
+                                         "texCoord",
+                                         "source",
+                                         "light",
+                                         "lights"};
     return kKeys[below(random, kKeys.size())];
 }
 

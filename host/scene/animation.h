@@ -1,0 +1,26 @@
+// Animations: they move nodes and weights to where they are at a time.
+#pragma once
+
+#include <vector>
+
+#include "scene/pose.h"
+#include "scene/refuse.h"
+
+namespace cleave {
+
+// The parts of a node that can move.
+struct NodeState {
+    gltf::Transform transform;
+    std::vector<double> weights;  // of morph targets
+};
+
+// Returns the states of all nodes as the file has them. Weights of a node take the place of its mesh's; none stand
+// for 0.
+std::vector<NodeState> restStates(const Scene& scene);
+
+// Moves `states` to a time. Channels that cannot be played are left out with a warning: where an earlier one moves the
+// same thing, where a node has a matrix, or where keys are in a buffer that is not there. Throws Error if times do not
+// increase.
+void animate(const Scene& scene, const PoseTime& time, std::vector<NodeState>& states, Warnings& warnings);
+
+}  // namespace cleave

@@ -1,0 +1,117 @@
+#include "scene/pose.h"
+
+#include <algorithm>
+
+#include "scene/animation.h"
+#include "scene/node_transforms.h"
+#include "scene/place_camera.h"
+#include "scene/pose_primitive.h"
+#include "scene/skin_matrices.h"
+#include "scene/triangle_count.h"
+
+namespace cleave {
+namespace {
+
+constexpr size_t kTermsPerTriangle = 64;
+
+// Warnings repeat a node's name for each of its primitives, and a name may be as long as the file.
+constexpr size_t kLongestName = 100;
+
+std::string nameOf(const Scene& scene, uint32_t node) {
+    const std::string& name = scene.nodes[node].name;
+    return "node " + std::to_string(node) + (name.empty() ? "" : " '" + name.substr(0, kLongestName) + "'");
+}
+
+// The scene while it is posed.
+class Posing {
+  public:
+    Posing(const Scene& scene, const PoseTime& time, size_t mostTriangles)
+        : scene_(scene), budget_{mostTriangles, kTermsPerTriangle * mostTriangles}, states_(restStates(scene)) {
+        posed_.name = scene.name;
+        animate(scene, time, states_, warnings_);
+        std::vector<glm::dmat4> local;
+        for (const NodeState& state : states_) local.push_back(matrixOf(state.transform));
+        toWorld_ = worldTransforms(scene, local);
+        const size_t count = countTriangles(scene, mostTriangles);
+        posed_.triangles.reserve(count);
+        posed_.materialOf.reserve(count);
+    }
+
+    PosedScene run() {
+        for (uint32_t node : shownNodes(scene_)) addNode(node);
+        warnOfNonFinite();
+        posed_.warnings = warnings_.list();
+        return std::move(posed_);
+    }
+
+  private:
+    void addNode(uint32_t index) {
+        const gltf::Node& node = scene_.nodes[index];
+        if (node.camera) addCamera(index);
+        if (node.light) addLight(index);
+        if (node.mesh) addMesh(index);
+    }
+
+    void addCamera(uint32_t index) {
+        const gltf::Node& node = scene_.nodes[index];
+        if (const auto camera = placeCamera(scene_.cameras[*node.camera], node.name, toWorld_[index]))
+            posed_.cameras.push_back(*camera);
+        else
+            warnings_.add(nameOf(scene_, index) + " has a camera that shows no picture; it is ignored");
+    }
+
+    void addLight(uint32_t index) {
+        if (const auto light = placeLight(scene_, *scene_.nodes[index].light, toWorld_[index]))
+            posed_.lights.push_back(*light);
+        else
+            warnings_.add(nameOf(scene_, index) + " has a light that is nowhere, or has no direction; it is ignored");
+    }
+
+    void addMesh(uint32_t index) {
+        const gltf::Node& node = scene_.nodes[index];
+        const std::string name = nameOf(scene_, index);
+        if (node.instanced) warnings_.add(name + " has EXT_mesh_gpu_instancing: it is shown once");
+        // A skinned mesh is where its joints are; its node's own transform does not count.
+        const bool hasSkin = node.skin && hasMatrices(*node.skin, name);
+        const Placement placement{toWorld_[index], &states_[index].weights, hasSkin ? &skins_.of(*node.skin) : nullptr};
+        const std::vector<gltf::Primitive>& primitives = scene_.meshes[*node.mesh].primitives;
+        for (size_t p = 0; p < primitives.size(); ++p)
+            posePrimitive(scene_, primitives[p], placement, name + ", primitive " + std::to_string(p), budget_, posed_,
+                          warnings_);
+    }
+
+    bool hasMatrices(uint32_t skin, const std::string& name) {
+        const gltf::Index matrices = scene_.skins[skin].inverseBindMatrices;
+        if (!matrices || hasBytes(scene_, *matrices)) return true;
+        warnings_.add(name +
+                      " is skinned, and the matrices of its skin are in a buffer that has no URI: it is placed "
+                      "by its node");
+        return false;
+    }
+
+    void warnOfNonFinite() {
+        auto isBad = [](const Triangle& t) { return !isFinite3(t.a) || !isFinite3(t.b) || !isFinite3(t.c); };
+        const std::vector<Triangle>& all = posed_.triangles;
+        const auto bad = std::count_if(all.begin(), all.end(), isBad);
+        if (bad == 0) return;
+        const auto first = std::find_if(all.begin(), all.end(), isBad);
+        warnings_.add(std::to_string(bad) + " triangles have a vertex that is not finite, the first is number " +
+                      std::to_string(first - all.begin()));
+    }
+
+    const Scene& scene_;
+    Budget budget_;
+    Warnings warnings_;
+    std::vector<NodeState> states_;
+    std::vector<glm::dmat4> toWorld_;
+    SkinMatrices skins_{scene_, toWorld_};
+    PosedScene posed_;
+};
+
+}  // namespace
+
+PosedScene pose(const Scene& scene, const PoseTime& time, size_t mostTriangles) {
+    return naming("cannot pose '" + scene.name + "'", [&] { return Posing(scene, time, mostTriangles).run(); });
+}
+
+}  // namespace cleave

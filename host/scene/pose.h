@@ -1,0 +1,51 @@
+// Posing: a scene at a time becomes triangles, cameras and lights in the world.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/camera.h"
+#include "scene/scene.h"
+#include "shared/triangle.h"
+
+namespace cleave {
+
+// A light of the scene, placed by a node.
+struct PlacedLight {
+    uint32_t light = 0;  // index into Scene::lights
+    glm::dvec3 position{0.0};
+    glm::dvec3 direction{0.0, 0.0, -1.0};  // unit length; a directional light or a spot shines that way
+};
+
+struct PosedScene {
+    std::string name;                         // of the scene, for messages
+    std::vector<Triangle> triangles;          // world space, in scene order: the index is the number of a triangle
+    std::vector<uint32_t> materialOf;         // of each triangle, an index into Scene::materials
+    std::vector<Camera> cameras;              // in the order of the scene's nodes
+    std::vector<PlacedLight> lights;          // likewise
+    std::map<std::string, uint64_t> leftOut;  // what makes no triangle ("points", "lines", ...) -> how many
+    std::vector<std::string> warnings;        // a sentence each
+};
+
+struct PoseTime {
+    std::optional<double> seconds;     // none: the rest pose, as the file has it
+    std::vector<uint32_t> animations;  // played together; where two of them move the same thing, the earlier one counts
+};
+
+// Returns the animation of that name or, failing that, of that number; of an empty text the first, if any. Throws
+// NotFound, listing the scene's animations, if there is no such animation.
+std::vector<uint32_t> chooseAnimation(const Scene& scene, const std::string& nameOrIndex);
+// Returns all of them.
+std::vector<uint32_t> allAnimations(const Scene& scene);
+
+// Poses a scene. Triangles are numbered: default scene (or the first), nodes depth-first in listed order, primitives in
+// order, triangles in index order. Positions are computed in double and rounded to float once. Before an animation's
+// first key its first value holds, after the last key the last one. Throws Error if the payload cannot be trusted, or
+// if there are more than `mostTriangles`.
+PosedScene pose(const Scene& scene, const PoseTime& time = {}, size_t mostTriangles = kMostTriangles);
+
+}  // namespace cleave

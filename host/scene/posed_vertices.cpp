@@ -1,0 +1,105 @@
+#include "scene/posed_vertices.h"
+
+#include <cmath>
+
+#include "scene/refuse.h"
+
+namespace cleave {
+namespace {
+
+// Finds the accessor of a semantic, if there is such an attribute.
+gltf::Index find(const gltf::Attributes& attributes, const std::string& semantic) {
+    const auto it = attributes.find(semantic);
+    return it == attributes.end() ? gltf::Index() : gltf::Index(it->second);
+}
+
+struct MovingTarget {
+    uint32_t deltas;
+    double weight;
+};
+
+std::vector<MovingTarget> movingTargets(const gltf::Primitive& primitive, const Placement& placement) {
+    std::vector<MovingTarget> moving;
+    for (size_t i = 0; i < primitive.targets.size(); ++i) {
+        const double weight =
+            placement.weights != nullptr && i < placement.weights->size() ? (*placement.weights)[i] : 0.0;
+        const gltf::Index deltas = find(primitive.targets[i], "POSITION");
+        if (deltas && weight != 0.0) moving.push_back({*deltas, weight});
+    }
+    return moving;
+}
+
+struct JointAccessors {
+    uint32_t joints;
+    uint32_t weights;
+};
+
+// Pairs JOINTS_0 and WEIGHTS_0, JOINTS_1 and WEIGHTS_1, ...
+std::vector<JointAccessors> jointSets(const gltf::Primitive& primitive, const Placement& placement) {
+    std::vector<JointAccessors> sets;
+    while (placement.joints != nullptr) {
+        const std::string set = std::to_string(sets.size());
+        const gltf::Index joints = find(primitive.attributes, "JOINTS_" + set);
+        const gltf::Index weights = find(primitive.attributes, "WEIGHTS_" + set);
+        if (!joints || !weights) break;
+        sets.push_back({*joints, *weights});
+    }
+    return sets;
+}
+
+// Transforms a point in double; this is the only place where positions are rounded to float.
+vec3 transformed(const glm::dmat4& m, const glm::dvec3& p) {
+    const glm::dvec4 q = m[0] * p.x + m[1] * p.y + m[2] * p.z + m[3];
+    return {float(q.x), float(q.y), float(q.z)};
+}
+
+}  // namespace
+
+std::vector<uint32_t> accessorsOf(const gltf::Primitive& primitive, const Placement& placement) {
+    std::vector<uint32_t> accessors{primitive.attributes.at("POSITION")};
+    for (const MovingTarget& target : movingTargets(primitive, placement)) accessors.push_back(target.deltas);
+    for (const JointAccessors& set : jointSets(primitive, placement)) {
+        accessors.push_back(set.joints);
+        accessors.push_back(set.weights);
+    }
+    return accessors;
+}
+
+PosedVertices::PosedVertices(const Scene& scene, const gltf::Primitive& primitive, const Placement& placement,
+                             const std::string& where)
+    : placement_(placement), where_(where), positions_(scene, primitive.attributes.at("POSITION")) {
+    for (const MovingTarget& target : movingTargets(primitive, placement))
+        targets_.push_back({AccessorValues(scene, target.deltas), target.weight});
+    for (const JointAccessors& set : jointSets(primitive, placement))
+        joints_.push_back({AccessorIntegers(scene, set.joints), AccessorValues(scene, set.weights)});
+}
+
+vec3 PosedVertices::operator[](size_t vertex) const {
+    glm::dvec3 position = positions_.vec3(vertex);
+    for (const Target& target : targets_) position += target.weight * target.deltas.vec3(vertex);
+    return transformed(joints_.empty() ? placement_.toWorld : skinMatrix(vertex), position);
+}
+
+// Sums joint matrices by weight. Files round weights, so they are divided by their sum; a vertex without any
+// follows its first joint. Viewers of the field do both.
+glm::dmat4 PosedVertices::skinMatrix(size_t vertex) const {
+    const std::vector<glm::dmat4>& matrices = *placement_.joints;
+    glm::dmat4 sum(0.0);
+    double weightSum = 0.0;
+    for (size_t set = 0; set < joints_.size(); ++set) {
+        const glm::uvec4 joint = joints_[set].joints[vertex];
+        const glm::dvec4 weight = joints_[set].weights.vec4(vertex);
+        for (int i = 0; i < 4; ++i) {
+            if (joint[i] >= matrices.size())
+                refuseGltf(where_ + ": JOINTS_" + std::to_string(set) + " of vertex " + std::to_string(vertex) +
+                           " holds " + std::to_string(joint[i]) + ", and there are " + std::to_string(matrices.size()) +
+                           " joints");
+            if (weight[i] == 0.0) continue;
+            sum += weight[i] * matrices[joint[i]];
+            weightSum += std::abs(weight[i]);
+        }
+    }
+    return weightSum == 0.0 ? matrices[joints_[0].joints[vertex][0]] : sum / weightSum;
+}
+
+}  // namespace cleave

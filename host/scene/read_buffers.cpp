@@ -1,0 +1,107 @@
+#include "scene/read_buffers.h"
+
+#include <tiny_gltf.h>
+
+#include "scene/check_values.h"
+#include "scene/gltf_uri.h"
+
+namespace cleave {
+namespace {
+
+enum class Need { none, view, geometry };
+
+class Needs {
+  public:
+    explicit Needs(const Scene& scene) : scene_(scene), needs_(scene.buffers.size(), Need::none) {
+        for (const gltf::BufferView& view : scene.bufferViews) needs_[view.buffer] = Need::view;
+        for (const gltf::Mesh& mesh : scene.meshes)
+            for (const gltf::Primitive& primitive : mesh.primitives) addPrimitive(primitive);
+        for (const gltf::Skin& skin : scene.skins)
+            if (skin.inverseBindMatrices) addAccessor(*skin.inverseBindMatrices);
+    }
+    Need operator[](size_t buffer) const { return needs_[buffer]; }
+
+  private:
+    void addView(uint32_t view) { needs_[scene_.bufferViews[view].buffer] = Need::geometry; }
+    void addAccessor(uint32_t index) {
+        const gltf::Accessor& accessor = scene_.accessors[index];
+        if (accessor.view) addView(*accessor.view);
+        if (!accessor.sparse) return;
+        addView(accessor.sparse->indicesView);
+        addView(accessor.sparse->valuesView);
+    }
+    void addAttributes(const gltf::Attributes& attributes) {
+        for (const auto& [semantic, accessor] : attributes)
+            if (semantic == "POSITION" || semantic.starts_with("JOINTS_") || semantic.starts_with("WEIGHTS_"))
+                addAccessor(accessor);
+    }
+    void addPrimitive(const gltf::Primitive& primitive) {
+        addAttributes(primitive.attributes);
+        for (const gltf::Attributes& target : primitive.targets) addAttributes(target);
+        if (primitive.indices) addAccessor(*primitive.indices);
+    }
+
+    const Scene& scene_;
+    std::vector<Need> needs_;
+};
+
+std::vector<unsigned char> bytesOfUri(const GltfFile& file, const std::string& uri) {
+    if (!isDataUri(uri)) return readBytes(pathOfUri(file.path.parent_path(), uri));
+    std::vector<unsigned char> bytes;
+    std::string mimeType;
+    if (!tinygltf::IsDataURI(uri) || !tinygltf::DecodeDataURI(&bytes, mimeType, uri, 0, false))
+        refuseGltf("the data URI '" + uri.substr(0, 40) + "...' cannot be decoded");
+    return bytes;
+}
+
+std::vector<unsigned char> bytesOf(GltfFile& file, size_t index, uint64_t byteLength) {
+    const Json& buffer = file.document["buffers"][index];
+    const Json* uri = member(buffer, "uri");
+    std::vector<unsigned char> bytes =
+        uri != nullptr ? bytesOfUri(file, uri->get<std::string>()) : std::move(file.data);
+    if (bytes.size() < byteLength)
+        refuseGltf(at("buffers", index) + " has " + std::to_string(bytes.size()) + " bytes, and byteLength says " +
+                   std::to_string(byteLength));
+    bytes.resize(byteLength);
+    return bytes;
+}
+
+// A path that leaves the folder is refused also where nothing is read.
+void checkUri(const GltfFile& file, size_t index) {
+    const Json* uri = member(file.document["buffers"][index], "uri");
+    if (uri == nullptr) return;
+    const std::string text = uri->get<std::string>();
+    if (!isDataUri(text) && !isExternalUri(text)) pathOfUri(file.path.parent_path(), text);
+}
+
+}  // namespace
+
+void readBuffers(GltfFile& file, Scene& scene, Warnings& warnings) {
+    const Needs needs(scene);
+    for (size_t i = 0; i < scene.buffers.size(); ++i) {
+        gltf::Buffer& buffer = scene.buffers[i];
+        const bool hasUri = file.document["buffers"][i].contains("uri");
+        const bool isChunk = i == 0 && file.hasData && !hasUri;
+        const Need need = isChunk ? Need::geometry : needs[i];  // a chunk is part of the file, so it must be whole
+        if (need != Need::geometry) checkUri(file, i);
+        if (need == Need::none || (!hasUri && !isChunk)) continue;
+        try {
+            buffer.bytes = bytesOf(file, i, buffer.byteLength);
+        } catch (const Error& error) {
+            if (need == Need::geometry) throw;
+            warnings.add(at("buffers", i) +
+                         " is left out, with the images and animations that need it: " + error.what());
+        }
+    }
+}
+
+void checkImageFiles(const Scene& scene, Warnings& warnings) {
+    for (const gltf::Image& image : scene.images) {
+        if (image.uri.empty() || isDataUri(image.uri)) continue;
+        std::error_code failed;
+        if (!std::filesystem::exists(pathOfUri(scene.folder, image.uri), failed))
+            warnings.add("the image '" + image.uri + "' does not exist");
+    }
+}
+
+}  // namespace cleave
