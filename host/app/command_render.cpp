@@ -33,7 +33,7 @@ void runRender(Run& run) {
                                                    options.view, traceMode(options));
     if (options.view == View::steps || options.view == View::leaves) drawLegend(picture);
 
-    // The picture is written also where the check fails, so that it can be looked at.
+    // The picture is written even if the check fails, so that it can be inspected.
     writeFile(options.output, pngOf(picture.width, picture.height, picture.pixels));
     const Tracer::Result& primary = picture.primary;
     Json report{{"scene", sceneJson(session)},
