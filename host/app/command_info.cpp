@@ -61,7 +61,7 @@ std::string treeTable(const BuiltTree& built, const Session& session) {
     return alignedTable(rows, "ll");
 }
 
-// How many leaves hold so many triangles.
+// Numbers of leaves by their numbers of triangles.
 std::string histogramTable(const TreeStatistics& s) {
     Rows rows{{"triangles", "leaves"}};
     for (size_t n = 0; n < s.leafHistogram.size(); ++n) {
@@ -72,7 +72,7 @@ std::string histogramTable(const TreeStatistics& s) {
     return alignedTable(rows, "rr");
 }
 
-// Why nodes are leaves: name in reports, words for a person.
+// A reason why nodes are leaves: its key in reports and its words for a person.
 struct LeafReason {
     const char* name;
     const char* words;

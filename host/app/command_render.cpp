@@ -45,7 +45,7 @@ void runRender(Run& run) {
     const uint64_t rays = uint64_t{options.width} * options.height;
     if (options.view == View::steps || options.view == View::leaves) drawLegend(picture);
 
-    // The picture is written also where the check fails, so that it can be looked at.
+    // The picture is written even if the check fails, so that it can be inspected.
     writeFile(options.output, pngOf(picture.width, picture.height, picture.pixels));
     Json report{{"scene", sceneJson(session)},
                 {"build", buildJson(built)},

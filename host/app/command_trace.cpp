@@ -17,7 +17,7 @@ void runTrace(Run& run) {
     run.progress.phase("tracing");
     const Tracer::Result traced = run.device.tracer().trace(tree, rays, traceMode(options));
 
-    // What was answered is written also where the check fails, so that it can be looked at.
+    // Hits are written even if the check fails, so that they can be inspected.
     writeFile(options.output, npyOf(traced.hits));
     Json report{{"scene", sceneJson(session)},
                 {"build", buildJson(built)},

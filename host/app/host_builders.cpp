@@ -19,7 +19,7 @@ std::span<const TreeBuilder> hostBuilders() {
 const TreeBuilder& hostBuilder(std::string_view name) {
     for (const TreeBuilder& builder : hostBuilders())
         if (builder.name == name) return builder;
-    return cpuBuilder(name);  // which says what there is
+    return cpuBuilder(name);  // throws, listing the names
 }
 
 }  // namespace cleave

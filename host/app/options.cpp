@@ -153,7 +153,7 @@ void addBuild(CLI::App& app, Options& options, bool several) {
              "exact SAH in nodes of at most so many references (" + std::to_string(kExactUpTo) + ")",
              settings.exactUpTo, 0, kMostExactUpTo);
     addWhole(app, "--max-depth", "deepest leaf (by the number of triangles)", settings.maxDepth, 1, kMaxDepth);
-    addWhole(app, "--leaf-size", "medians: no split at so many references and below (4)", settings.leafSize, 1,
+    addWhole(app, "--leaf-size", "medians: no split of nodes with at most so many references (4)", settings.leafSize, 1,
              1u << 20);
     addNamed(app, "--axes", "medians: axes that a node is cut along", settings.axes, kAxes);
     addNamed(app, "--clip", "clip triangles to the cells", settings.clip, kSwitch);

@@ -1,4 +1,4 @@
-// What the command line asks for.
+// The command line, parsed.
 #pragma once
 
 #include <cstdint>
@@ -60,7 +60,7 @@ using Request = std::variant<Options, std::string>;
 // Rays per set that a benchmark judges before it tells any time: those of --check, or 2048.
 uint64_t raysToJudge(const Options& options);
 
-// How the rays of a command that knows one way go.
+// The trace mode of commands that use a single one.
 TraceMode traceMode(const Options& options);
 
 // Throws UsageError, whose text says what there is to choose from. Files are not looked at.

@@ -1,4 +1,4 @@
-// What a long run is doing, on one line of the terminal that is overwritten.
+// Shows the current phase of a long run on one line of the terminal, overwritten as it changes.
 #pragma once
 
 #include <string>

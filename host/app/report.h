@@ -1,4 +1,4 @@
-// What a run reports as JSON about itself and its scene.
+// The JSON report of a run.
 #pragma once
 
 #include "app/session.h"

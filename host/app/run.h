@@ -1,4 +1,4 @@
-// One run of a command: what it was asked for and what all commands share.
+// One run of a command: its options and the state that all commands share.
 #pragma once
 
 #include <string>

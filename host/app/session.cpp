@@ -49,7 +49,7 @@ const DeviceMaterials& Session::materialsOnDevice() {
 }
 
 void Session::buildOnDevice(BuiltTree& built) {
-    built.onDevice.reset();  // a second run must not need room for two trees
+    built.onDevice.reset();  // a second run must not need memory for two trees
     GpuBuilder::Result result = run_.device.builder().build(trianglesOnDevice(), run_.options.settings);
     built.onDevice = std::move(result.tree);
     built.runs.push_back(result.ms);

@@ -27,7 +27,7 @@ class Session {
     // Of the triangles with finite vertices, in world space; empty without any.
     const Box& worldBounds() const { return bounds_; }
 
-    // Builds the same tree so many times, to time it.
+    // Builds the same tree `runs` times, to time it.
     BuiltTree build(Builder builder, uint32_t runs = 1);
     // Where a GPU build's time goes: builds once more and notes it in `built`. Others are left alone.
     void profile(BuiltTree& built);

@@ -1,4 +1,4 @@
-// The one way to fail: an exception whose text says what failed, where, and what to do.
+// Errors are exceptions whose text says what failed, where, and what to do.
 #pragma once
 
 #include <stdexcept>

@@ -1,4 +1,4 @@
-// A loop shared by threads where no order is asked for.
+// Parallel for; iterations may run in any order.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace cleave {
 
-// body(worker, i) for each i in [0, count); worker w, of which there are max(1, threads), takes every threads-th i from
-// w on, ascending, so that neighbours, which cost alike, are spread over all.
+// Calls body(worker, i) for each i in [0, count) on max(1, threads) workers. Worker w takes every threads-th i from w
+// on, ascending, so that neighbours, which cost about the same, are spread over all workers.
 template <class Body>
 void forEachStrided(size_t count, size_t threads, const Body& body) {
     const size_t workers = threads > 1 ? threads : 1;

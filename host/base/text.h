@@ -1,4 +1,4 @@
-// Words and tables for a person at a terminal.
+// Numbers, lines and tables of text for a person at a terminal.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,8 @@ std::string fixed(std::optional<double> value, int digits);  // nothing is "-"
 std::string grouped(uint64_t count);                         // "69,451"
 std::string bytesText(uint64_t bytes);                       // "12.3 MiB"
 
-// Rows of equal length, columns padded to their widest cell, two spaces apart. `alignment` has a letter per column:
-// l or r.
+// Formats rows of equal length as a table: columns are padded to their widest cell, two spaces apart. `alignment` has a
+// letter per column, l or r.
 std::string alignedTable(const std::vector<std::vector<std::string>>& rows, std::string_view alignment);
 
 }  // namespace cleave

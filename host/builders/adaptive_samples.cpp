@@ -8,18 +8,18 @@
 namespace cleave {
 namespace {
 
-// Positions that one pass over the boxes serves: the counters of so many stay in registers.
+// Number of positions counted in one pass over the boxes: few enough that all counters stay in registers.
 constexpr size_t kLanes = 8;
 
 double difference(const CostSample& s) { return static_cast<double>(s.left) - static_cast<double>(s.right); }
 
-// The i-th of `parts` places between a and b. Never outside them, whatever the rounding.
+// The i-th of `parts` places between a and b. It never lies outside of [a, b], whatever the rounding.
 float between(float a, float b, uint32_t i, uint32_t parts) {
     const float step = (b - a) * (static_cast<float>(i) / static_cast<float>(parts));
     return std::clamp(a + step, a, b);
 }
 
-// How many of the q marks, spread uniformly over [-n, n], lie at `value` or below.
+// Number of the q marks, spread uniformly over [-n, n], that are at most `value`.
 uint64_t marksUpTo(double value, double n, uint32_t q) {
     const double place = (value + n) / (2.0 * n) * (q + 1.0);
     return static_cast<uint64_t>(std::clamp(place, 0.0, static_cast<double>(q)));

@@ -1,5 +1,5 @@
-// Where to look at a cost that depends on a plane's position, if all positions are too many (Hunt, Mark and Stoll 2006,
-// section 3; survey section 6).
+// Hunt's adaptive sampling: the few plane positions at which to evaluate the SAH (Hunt, Mark and Stoll 2006, section 3;
+// survey section 6).
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ struct BoxExtents {
     std::span<const float> hi;  // of the same length
 };
 
-// A position, and what lies on its two sides: boxes that begin before it, boxes that end behind it.
+// A plane position, with the numbers of boxes that begin below it (left) and end above it (right).
 struct CostSample {
     float position;
     uint32_t left;
@@ -31,7 +31,7 @@ void countSides(const BoxExtents& boxes, std::span<CostSample> samples);
 // most (to - from) x 2n / q^2 for n boxes.
 void takeAdaptiveSamples(const BoxExtents& boxes, float from, float to, uint32_t q, std::vector<CostSample>& samples);
 
-// Where the cost between two neighbouring samples is least, if counts and areas are interpolated linearly.
+// The position of least cost between two neighbouring samples, with counts and areas interpolated linearly.
 struct Valley {
     float position;
     float cost;  // half area times count of either side: without the terms that all positions share

@@ -10,11 +10,11 @@
 namespace cleave {
 namespace {
 
-// At most so many references: counting at each face is quicker than splicing events, and both choose the same splits.
+// Up to so many references, counting at each face is faster than splicing events; both choose the same splits.
 // Nearly all nodes are so small; the bunny builds in half the time that splicing down to 8 references took.
 constexpr uint32_t kScanUpTo = kMostScanned;
 
-// With so many references, a node's right subtree may be built by another thread.
+// From so many references on, a node's right subtree may be built by another thread.
 constexpr uint32_t kShareChildrenFrom = 1024;
 
 uint64_t eventCount(std::span<const ClippedRef> refs) {
@@ -122,7 +122,7 @@ KdTree buildExact(const TriangleSet& set, const BuildSettings& settings, BuildRe
     KdTree tree = std::move(whole.tree());
     tree.bounds = set.bounds;
     tree.exponent = set.exponent;
-    // While parts are put together, they exist twice.
+    // Parts exist twice while they are grafted.
     const uint64_t treeBytes = growthBytes(tree);
     report.peakBytes = build.bytes.peak() + (build.parallel ? 2 : 1) * treeBytes;
     if (asked != nullptr) *asked = report;

@@ -11,7 +11,7 @@ namespace cleave {
 // section 5), over events that are gathered and sorted for this node.
 class SweepChooser {
   public:
-    // Adds what it does to `report`.
+    // Adds its events and sort steps to `report`.
     SweepChooser(uint32_t maxDepth, BuildReport& report) : maxDepth_(maxDepth), report_(report) {}
 
     Split operator()(const NodeToSplit& node);

@@ -13,7 +13,7 @@ namespace {
 
 // Figures of the paper (Hunt, Mark and Stoll 2006).
 constexpr uint32_t kSamples = 8;        // uniform ones; as many are placed adaptively
-constexpr size_t kExactBoxes = 36;      // at so many and fewer the cost is too rough to be sampled
+constexpr size_t kExactBoxes = 36;      // at most so many boxes: their cost is too rough to be sampled
 constexpr size_t kOneAxisAbove = 1024;  // hybrid: large nodes are sampled along one axis only
 
 // Ours: where the longest axis has no split worth its cost, larger nodes are tried along the others. (Sponza's tree
@@ -59,12 +59,12 @@ class SampleChooser {
         return axes;
     }
 
-    // Where the interpolated cost is least, and at the faces around that place: between them the cost is affine.
+    // Tries the position of least interpolated cost and the faces around it; between these the cost is affine.
     Split search(const NodeToSplit& node, uint32_t axis) {
         gatherFaces(faces_, node, axis);
         const auto n = static_cast<uint32_t>(node.refs.size());
         Split best = noSplit();
-        best = betterOf(best, node.cell, axis, faces_.from, 0, n, 0);  // what is empty before the boxes or behind them
+        best = betterOf(best, node.cell, axis, faces_.from, 0, n, 0);  // empty space below the boxes or above them
         best = betterOf(best, node.cell, axis, faces_.to, n, 0, 1);
         if (!(faces_.from < faces_.to)) return best;
         takeAdaptiveSamples(faces_.extents(node), faces_.from, faces_.to, kSamples, samples_);

@@ -7,7 +7,7 @@
 namespace cleave {
 namespace {
 
-// Where to cut a node along an axis; anywhere, but only planes strictly inside the cell are taken.
+// Chooses the position of a node's plane along an axis. Only planes strictly inside the cell are used.
 class SpatialMedian {
   public:
     float operator()(const NodeToSplit& node, int axis) const {

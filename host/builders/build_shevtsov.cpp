@@ -49,7 +49,7 @@ KdTree buildShevtsov(const TriangleSet& set, const BuildSettings& settings, Buil
     uint64_t partBytes = 0;
     withThreads(settings.threads, [&] {
         std::vector<Part> parts = decompose(tree, set, settings, bytes);
-        // The first part goes on in the tree itself; the others are subtrees that are put in when all are done.
+        // The first part continues the tree itself; the others are subtrees that are grafted when all are done.
         std::vector<KdTree> subtrees(parts.size());
         const auto buildPart = [&](size_t i) {
             Part& part = parts[i];
@@ -58,10 +58,10 @@ KdTree buildShevtsov(const TriangleSet& set, const BuildSettings& settings, Buil
                 begun = std::move(tree);
             else
                 begun.nodes.resize(1);
-            const size_t room = part.room();
+            const size_t capacity = part.capacity();
             subtrees[i] = TopDownBuilder<BinnedChooser>(set, settings, chooser, bytes)
                               .build(std::move(begun), i == 0 ? part.node : 0, part.cell, part.depth,
-                                     std::move(part.refs), part.count, room);
+                                     std::move(part.refs), part.count, capacity);
         };
         tbb::parallel_for(size_t{0}, parts.size(), buildPart, tbb::simple_partitioner());
         tree = std::move(subtrees[0]);

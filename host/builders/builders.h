@@ -1,4 +1,4 @@
-// The builders that run on the CPU. Who wants to know what a build took passes a report to be overwritten.
+// The builders that run on the CPU. A caller that wants the cost of a build passes a report to be overwritten.
 #pragma once
 
 #include "tree/kd_tree.h"
@@ -6,9 +6,9 @@
 
 namespace cleave {
 
-// What a build took besides time.
+// Costs of a build other than time.
 struct BuildReport {
-    uint64_t peakBytes = 0;    // at most so many were held at once, the tree and the room it grew in included
+    uint64_t peakBytes = 0;    // most bytes held at once, including the tree and its spare capacity
     uint64_t eventsSwept = 0;  // of exact builders: summed over the nodes
     uint64_t sortSteps = 0;    // and n log2 n of each sort of n events, the logarithm rounded up
 };

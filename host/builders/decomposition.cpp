@@ -36,7 +36,7 @@ class Decomposition {
         return {node, depth, cell, count, CountedArray<ClippedRef>(2 * count, bytes_)};
     }
 
-    // body(slice, begin, end): every thread its own, all of the same size.
+    // Calls body(slice, begin, end) for slices of equal size, one per thread.
     template <class Body>
     void forEachSlice(size_t count, const Body& body) const {
         const auto slice = [&](size_t i) { body(i, count * i / threads_, count * (i + 1) / threads_); };
@@ -86,7 +86,7 @@ class Decomposition {
         return {0.0f, static_cast<uint32_t>(axis), plane, 1};
     }
 
-    // How many references start in each bin, then how many end there.
+    // Numbers of references that start in each bin, then of those that end there.
     std::vector<uint32_t> countFaces(const Part& part, const BinRange& range, int axis) const {
         std::vector<std::vector<uint32_t>> ofSlice(threads_);
         forEachSlice(part.count, [&](size_t slice, size_t begin, size_t end) {
@@ -112,7 +112,7 @@ class Decomposition {
         size_t leftCount = 0, rightCount = 0;
     };
 
-    // Each thread sorts its slice into arrays of its own; then they are laid behind each other.
+    // Each thread sorts its slice into arrays of its own; then the arrays are concatenated.
     Children divide(Part part, const Split& split, uint32_t child) {
         std::vector<Slice> slices(threads_);
         forEachSlice(part.count, [&](size_t i, size_t begin, size_t end) {

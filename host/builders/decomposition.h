@@ -1,4 +1,4 @@
-// The scene in parts, one per thread (Shevtsov, Soupikov and Kapustin 2007, section 4.2; survey section 7).
+// Cuts the scene into parts, one per thread (Shevtsov, Soupikov and Kapustin 2007, section 4.2; survey section 7).
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace cleave {
 
-// A node that one thread builds on. Its references are the first of an array with room for twice as many, the pool that
-// the thread goes on in.
+// A node whose subtree one thread builds. Its references are the first half of an array that then serves as the pool of
+// that thread.
 struct Part {
     uint32_t node = 0;  // of the tree
     uint32_t depth = 0;
@@ -17,11 +17,11 @@ struct Part {
     size_t count = 0;
     CountedArray<ClippedRef> refs;
 
-    size_t room() const { return 2 * count; }
+    size_t capacity() const { return 2 * count; }
     std::span<const ClippedRef> references() const { return {refs.data(), count}; }
 };
 
-// Splits the scene until settings.threads parts are there, and appends what splits it to `tree`, which has a root.
+// Splits the scene into settings.threads parts and appends the inner nodes that do so to `tree`, which has a root.
 //
 // A part that k > 1 threads own is split along the widest axis of its references' bounds, which 512 k bins span, at the
 // first boundary b with left(b) : right(b) >= floor(k / 2) : ceil(k / 2), where left and right count references as they

@@ -9,13 +9,13 @@ namespace {
 
 constexpr uint32_t kShareAxesFrom = 8192;
 
-// Where the events of a reference go: its number in the child, and which child. Those of a straddling one go nowhere,
-// since its two parts get new events.
+// Target of the events of a reference: its number in the child, and which child. A straddling reference has none, since
+// its two parts get new events.
 constexpr uint32_t kToRight = 1u << 31;
 constexpr uint32_t kToNone = 1u << 30;
 static_assert(kEventRefMask < kToNone);
 
-// A child in the making.
+// A child under construction.
 struct Side {
     EventNode node;
     CountedArray<uint32_t> parts;  // the references that are parts of straddling ones, ascending
@@ -24,7 +24,7 @@ struct Side {
     void add(const ClippedRef& ref) { node.refs[node.count++] = ref; }
 };
 
-size_t roomAlongAxis(const EventNode& node) { return 2 * size_t{node.count} + 1; }
+size_t capacityAlongAxis(const EventNode& node) { return 2 * size_t{node.count} + 1; }
 
 Side emptySide(EventBuild& build, const EventNode& parent, const Box& cell) {
     Side side;
@@ -88,7 +88,7 @@ struct Stream {
 };
 
 // Steps 2 and 4 in one pass: new numbers ascend with the old ones, so each child's events stay in order. Every event is
-// written; where it is not wanted the next one takes its place.
+// written; an unwanted one is overwritten by the next.
 void splice(EventBuild& build, const EventNode& node, const CountedArray<uint32_t>& targets, Side (&sides)[2],
             int axis) {
     const CountedArray<Event> leftParts = partEvents(build, sides[0], axis);
@@ -97,7 +97,7 @@ void splice(EventBuild& build, const EventNode& node, const CountedArray<uint32_
     Event* begins[2];
     for (int i = 0; i < 2; ++i)
         streams[i].out = begins[i] =
-            sides[i].node.events.data() + static_cast<size_t>(axis) * roomAlongAxis(sides[i].node);
+            sides[i].node.events.data() + static_cast<size_t>(axis) * capacityAlongAxis(sides[i].node);
     for (const Event e : node.alongAxis[axis]) {
         const uint32_t target = targets[eventRef(e)];
         const Event moved = withRef(e, target & static_cast<uint32_t>(kEventRefMask));
@@ -131,9 +131,9 @@ EventNode rootNode(EventBuild& build, BuildReport& report) {
     root.count = static_cast<uint32_t>(included.size());
     root.refs = CountedArray<ClippedRef>(included.size(), build.bytes);
     for (size_t i = 0; i < included.size(); ++i) root.refs[i] = wholeTriangle(build.set, included[i]);
-    root.events = CountedArray<Event>(3 * roomAlongAxis(root), build.bytes);
+    root.events = CountedArray<Event>(3 * capacityAlongAxis(root), build.bytes);
     forEachAxis(build, root.count, [&](int axis) {
-        Event* const begin = root.events.data() + static_cast<size_t>(axis) * roomAlongAxis(root);
+        Event* const begin = root.events.data() + static_cast<size_t>(axis) * capacityAlongAxis(root);
         Event* end = begin;
         for (uint32_t i = 0; i < root.count; ++i) end = writeEvents(end, root.refs[i].box, axis, i);
         root.alongAxis[axis] = {begin, end};
@@ -149,7 +149,7 @@ Children divide(EventBuild& build, EventNode node, const Split& split, BuildRepo
                      emptySide(build, node, rightOf(node.cell, split.axis, split.position))};
     const CountedArray<uint32_t> targets = classify(build, node, split, sides[0], sides[1]);
     for (Side& side : sides) {
-        side.node.events = CountedArray<Event>(3 * roomAlongAxis(side.node), build.bytes);
+        side.node.events = CountedArray<Event>(3 * capacityAlongAxis(side.node), build.bytes);
         report.sortSteps += sortStepsOfParts(side);
     }
     forEachAxis(build, node.count, [&](int axis) { splice(build, node, targets, sides, axis); });

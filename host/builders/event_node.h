@@ -18,14 +18,14 @@ struct EventNode {
     uint32_t depth = 0;
     uint32_t count = 0;
     CountedArray<ClippedRef> refs;
-    CountedArray<Event> events;     // three parts of equal room, one event more than a node can have
+    CountedArray<Event> events;     // three parts of equal capacity, one event more than a node can have
     std::span<Event> alongAxis[3];  // the parts, as far as they are filled
 
     std::span<const ClippedRef> references() const { return {refs.data(), count}; }
     NodeToSplit toSplit() const { return {references(), cell, depth}; }
 };
 
-// What all threads of one build share.
+// State that all threads of one build share.
 struct EventBuild {
     const TriangleSet& set;
     const bool clip;
@@ -34,7 +34,7 @@ struct EventBuild {
     ByteCount bytes;
 };
 
-// Each body(axis), at the same time where the node is large and the build parallel.
+// Calls body(axis) for each axis, concurrently where the node is large and the build parallel.
 void forEachAxis(const EventBuild& build, uint32_t count, const std::function<void(int)>& body);
 
 // The node of all triangles: the one sort of all events.

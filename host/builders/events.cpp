@@ -25,7 +25,7 @@ void countingPass(std::span<const Event> from, Event* to, uint32_t shift) {
 // The axis as a constant lets the compiler keep what does not change along it in registers.
 template <uint32_t axis>
 Split sweepAlong(Split best, std::span<const Event> events, const Box& cell, uint32_t count) {
-    // References that begin before the position at hand, that begin up to it, that end behind it, that lie in it.
+    // Numbers of references that begin below the current position, begin at most there, end above it, and lie in it.
     uint32_t left = 0, begun = 0, right = count, lying = 0;
     for (size_t i = 0; i < events.size(); ++i) {
         const EventKind kind = eventKind(events[i]);

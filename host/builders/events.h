@@ -39,7 +39,7 @@ inline Event* writeEvents(Event* out, const Box& box, int axis, uint32_t ref) {
     return out;
 }
 
-// For events in the order that writeEvents gave for ascending references. `scratch` has room for as many.
+// For events in the order that writeEvents gave for ascending references. `scratch` holds as many.
 void sortEvents(std::span<Event> events, Event* scratch);
 
 // n log2 n, the logarithm rounded up: what a sort of n events is counted as.

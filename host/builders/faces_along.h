@@ -20,7 +20,7 @@ struct FacesAlong {
 
 void gatherFaces(FacesAlong& faces, const NodeToSplit& node, uint32_t axis);
 
-// The best of the planes at a position and at the nearest faces before and behind it, planar references tried on either
+// The best of the planes at a position and at the nearest faces below and above it, planar references tried on either
 // side. Between faces the cost is affine (survey, section 4), so that moving to one of the two never costs more, unless
 // that face is the cell's own. No split if none of the three is strictly inside the cell.
 Split bestNear(const FacesAlong& faces, const NodeToSplit& node, float position);

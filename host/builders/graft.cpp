@@ -17,7 +17,7 @@ void requireReferences(size_t count) {
 void graft(KdTree& tree, uint32_t at, const KdTree& subtree) {
     requireNodes(tree.nodes.size() + subtree.nodes.size());
     requireReferences(tree.leafTriangles.size() + subtree.leafTriangles.size());
-    const auto base = static_cast<uint32_t>(tree.nodes.size() - 1);  // the subtree's node 1 goes behind the last one
+    const auto base = static_cast<uint32_t>(tree.nodes.size() - 1);  // the subtree's node 1 follows the last one
     const auto firstReference = static_cast<uint32_t>(tree.leafTriangles.size());
     const auto moved = [&](const KdNode& node) {
         if (isLeaf(node)) return leafNode(leafFirst(node) + firstReference, leafCount(node));

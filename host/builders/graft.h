@@ -1,4 +1,4 @@
-// Puts together trees that were built apart.
+// Joins partial trees that were built separately.
 #pragma once
 
 #include "tree/kd_tree.h"
@@ -15,7 +15,7 @@ uint32_t appendChildren(KdTree& tree);
 // Makes node `at` a leaf, whose list the caller appends next. Throws Error where a leaf cannot point so far.
 void beginLeaf(KdTree& tree, uint32_t at, size_t count);
 
-// The bytes of a tree that grew by appending: at worst an array was copied into twice its room.
+// Peak bytes of a tree that grew by appending: at worst, an array was copied into one of twice its capacity.
 uint64_t growthBytes(const KdTree& tree);
 
 }  // namespace cleave

@@ -27,7 +27,7 @@ class TopDownBuilder {
     // The tree over the whole set.
     KdTree build() {
         const size_t count = set_.included.size();
-        makeRoom(0, 2 * count);
+        enlargePool(0, 2 * count);
         for (size_t i = 0; i < count; ++i) pool_[i] = wholeTriangle(set_, set_.included[i]);
         tree_.nodes.resize(1);
         buildNode(0, set_.bounds, 0, 0, count);
@@ -36,30 +36,31 @@ class TopDownBuilder {
         return std::move(tree_);
     }
 
-    // Goes on in a tree that another loop began: builds its leaf-to-be `node` from references that it gathered, the
-    // first `count` of a pool for `room`.
+    // Continues a partial tree: builds the subtree at `node` from the first `count` references of a pool that holds
+    // `capacity`.
     KdTree build(KdTree tree, uint32_t node, const Box& cell, uint32_t depth, CountedArray<ClippedRef> pool,
-                 size_t count, size_t room) {
+                 size_t count, size_t capacity) {
         tree_ = std::move(tree);
         pool_ = std::move(pool);
-        room_ = room;
+        capacity_ = capacity;
         buildNode(node, cell, depth, 0, count);
         return std::move(tree_);
     }
 
-    // The subtree of a node that another loop came to, as a tree whose node 0 is that node; good until the next call.
+    // Builds the subtree of a node as a tree of its own, whose node 0 is that node. The result is valid until the next
+    // call.
     const KdTree& buildSubtree(const NodeToSplit& node) {
         tree_.nodes.resize(1);
         tree_.leafTriangles.clear();
-        if (room_ < 2 * node.refs.size()) makeRoom(0, 2 * node.refs.size());
+        if (capacity_ < 2 * node.refs.size()) enlargePool(0, 2 * node.refs.size());
         std::copy(node.refs.begin(), node.refs.end(), pool_.data());
         buildNode(0, node.cell, node.depth, 0, node.refs.size());
         return tree_;
     }
 
   private:
-    // The node's references are pool_[begin, end). Below them lie those of right children that wait on the way up;
-    // what lies behind them is free.
+    // The node's references are pool_[begin, end). Those of pending right children come before them; the rest of the
+    // pool is free.
     void buildNode(uint32_t index, const Box& cell, uint32_t depth, size_t begin, size_t end) {
         Split split = noSplit();
         if (end > begin && depth < maxDepth_ && collapsedAxes(cell) < 2)
@@ -68,8 +69,8 @@ class TopDownBuilder {
 
         const uint32_t child = appendChildren(tree_);
         tree_.nodes[index] = innerNode(split.axis, split.position, child);
-        if (room_ < 2 * end - begin) makeRoom(end, std::max(2 * end - begin, room_ + room_ / 2));
-        // The left child's references go behind the node's, the right child's take the node's own place.
+        if (capacity_ < 2 * end - begin) enlargePool(end, std::max(2 * end - begin, capacity_ + capacity_ / 2));
+        // The left child's references are appended after the node's; the right child's overwrite the node's own.
         ClippedRef* const pool = pool_.data();
         const ChildEnds ends = partition(set_, {pool + begin, end - begin}, split, clip_, {pool + end, pool + begin});
         const auto leftEnd = static_cast<size_t>(ends.left - pool), rightEnd = static_cast<size_t>(ends.right - pool);
@@ -82,12 +83,12 @@ class TopDownBuilder {
         for (size_t i = begin; i < end; ++i) tree_.leafTriangles.push_back(pool_[i].prim);
     }
 
-    // For so many references in all; the first `kept` stay.
-    void makeRoom(size_t kept, size_t room) {
-        CountedArray<ClippedRef> pool(room, bytes_);
+    // Enlarges the pool to `capacity` references; the first `kept` stay.
+    void enlargePool(size_t kept, size_t capacity) {
+        CountedArray<ClippedRef> pool(capacity, bytes_);
         std::copy(pool_.data(), pool_.data() + kept, pool.data());
         pool_ = std::move(pool);
-        room_ = room;
+        capacity_ = capacity;
     }
 
     const TriangleSet& set_;
@@ -97,7 +98,7 @@ class TopDownBuilder {
     ChooseSplit chooseSplit_;
     KdTree tree_;
     CountedArray<ClippedRef> pool_;
-    size_t room_ = 0;
+    size_t capacity_ = 0;
 };
 
 template <class ChooseSplit>

@@ -1,4 +1,4 @@
-// What a benchmark measured, and how it is shown.
+// Measurements of a benchmark and their tables.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ struct SetFigures {
     std::optional<double> resolvedShare;  // of the triangle tests: those decided in double; where tests are compared
 };
 
-// One way for rays to go.
+// Figures of one traversal with one triangle test.
 struct ModeFigures {
     Traversal traversal = Traversal::restart;
     TriangleTest test = TriangleTest::watertight;

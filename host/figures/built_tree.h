@@ -26,8 +26,8 @@ struct BuiltTree {
     // memory to a KdTree.
     double ms = 0.0;
     double setupMs = 0.0;  // compilation and pipelines, GPU only
-    // GPU: scratch and tree on the device. CPU builders do not count their scratch: the tree's own bytes, a lower
-    // bound.
+    // Most bytes held at once. GPU: scratch and tree on the device. CPU: scratch and tree of the builder, in main
+    // memory.
     uint64_t peakBytes = 0;
     bool memoryLimited = false;
     std::vector<PassTime> passes;  // see Session::profile

@@ -1,4 +1,4 @@
-// The scale in a picture of counts: what its colours stand for.
+// The legend of a picture of counts: its colour scale with the least and the greatest count.
 #pragma once
 
 #include "run/renderer.h"

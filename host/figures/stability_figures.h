@@ -1,4 +1,4 @@
-// What a run of `cleave stability` found, and how it is shown.
+// Results of a run of `cleave stability` as text and JSON.
 #pragma once
 
 #include <string>

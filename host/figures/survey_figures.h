@@ -1,4 +1,4 @@
-// What `cleave bench --survey` measures of a scene.
+// Measurements of a scene by `cleave bench --survey`.
 #pragma once
 
 #include <string>
@@ -29,7 +29,7 @@ struct SurveyBuilder {
     CheckResult check;  // of the rays that were judged before any time was taken
 };
 
-// What the exact builds counted, and what their tree says.
+// Counts of the exact builds, and how their tree's planes cut triangles.
 struct SurveyComplexity {
     BuildReport once;     // exact
     BuildReport perNode;  // exact-nlog2n

@@ -72,7 +72,7 @@ Figure perCentMore(Figure value, Figure than) {
     return r ? Figure(100.0 * (*r - 1.0)) : std::nullopt;
 }
 
-// Published figures stand behind a bar, a column of its own.
+// Published figures follow a bar, which is a column of its own.
 constexpr const char* kBar = "|";
 
 std::string table(const std::string& title, const std::vector<Row>& rows, size_t words) {

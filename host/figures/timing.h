@@ -1,4 +1,4 @@
-// What a run took, and what is made of it.
+// Figures derived from times, and the peak memory of the process.
 #pragma once
 
 #include <cstdint>

@@ -28,7 +28,7 @@ constexpr size_t kHeaderAlignment = 64;     // of the data, as NumPy aligns it
                         "; write them with numpy.save as little-endian float32 of shape (N, 8)"));
 }
 
-// Reads exactly so many bytes, or refuses the file as cut short.
+// Reads exactly that many bytes, or rejects the file as truncated.
 void readExactly(std::istream& in, const fs::path& file, void* to, uint64_t bytes) {
     in.read(static_cast<char*>(to), static_cast<std::streamsize>(bytes));
     if (!in || static_cast<uint64_t>(in.gcount()) != bytes) refuse(file, "the file is cut short");
@@ -48,7 +48,7 @@ uint64_t readHeaderLength(std::istream& in, const fs::path& file) {
     return length[0] | uint64_t{length[1]} << 8 | uint64_t{length[2]} << 16 | uint64_t{length[3]} << 24;
 }
 
-// How many rays the header announces.
+// Number of rays that the header declares.
 uint64_t rayCount(const NpyHeader& header, const fs::path& file) {
     constexpr size_t kShown = 40;  // the text is the file's own, and may be of any length
     if (header.descr != "<f4") refuse(file, "its type is '" + header.descr.substr(0, kShown) + "', not '<f4'");

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr std::array kEndingSignals = {SIGINT, SIGTERM, SIGHUP};
 
-// The unfinished file, where a signal handler can reach it. Files are written by one thread at a time.
+// Name of the unfinished file, reachable from a signal handler. Files are written by one thread at a time.
 char unfinishedFile[PATH_MAX];
 
 void removeUnfinishedAndEnd(int signal) {
@@ -30,7 +30,7 @@ void removeUnfinishedAndEnd(int signal) {
     raise(signal);
 }
 
-// While it lives, a signal that ends the program removes the unfinished file first.
+// During its lifetime, a signal that ends the program removes the unfinished file first.
 class SignalGuard {
   public:
     explicit SignalGuard(const std::string& file) {
@@ -59,7 +59,7 @@ class SignalGuard {
                 "; choose another place or free some space");
 }
 
-// 0, or the errno of what went wrong.
+// Returns 0, or the errno of the failure.
 int writeAll(int descriptor, std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
         const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());

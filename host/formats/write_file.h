@@ -1,4 +1,4 @@
-// Outputs that are there whole or not at all.
+// Atomic file output.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace cleave {
 void writeFile(const std::filesystem::path& file, std::span<const std::byte> bytes);
 void writeFile(const std::filesystem::path& file, std::string_view text);
 
-// Throws Error if the file cannot be written for a reason that shows now: asked before long work starts.
+// Throws Error if it is already clear that the file cannot be written. Called before long work starts.
 void requireWritable(const std::filesystem::path& file);
 
 }  // namespace cleave

@@ -1,4 +1,4 @@
-// Who judges the hits.
+// The judges of hits.
 #pragma once
 
 #include <cstdint>
@@ -37,8 +37,8 @@ class Reference {
     Reference& operator=(const Reference&) = delete;
 
     enum class Verdict { agrees, mismatch, undecided };
-    // What a mismatch is, and what an undecided ray would be if it were one: another t or triangle than the reference
-    // has; a miss where it hits; a hit where it misses.
+    // The kind of a mismatch, also given for undecided rays: a t or triangle that differs from the reference's, a miss
+    // where it hits, or a hit where it misses.
     enum class Fault { none, wrong, missed, falseHit };
     struct Judgement {
         Verdict verdict = Verdict::agrees;

@@ -15,7 +15,7 @@ constexpr double kEndTolerance = 0x1p-23;  // of an end of the interval: t is co
 constexpr double kLargestT = 0x1.fffffep127;
 constexpr double kSmallestT = 0x1p-126;  // what is smaller is flushed
 
-// What the reference knows about a ray: the closest hit whose t, rounded to float once, is in the ray's interval. That
+// The reference's answer to a ray: the closest hit whose t, rounded to float once, is in the ray's interval. That
 // is doubtful where t is so close to an end of the interval, or to the largest float, that double's error may decide
 // it.
 struct Answer {
@@ -61,7 +61,7 @@ struct Reference::Impl {
         const auto limit = [&] { return std::min(double{ray.tMax}, best.t) * (1.0 + 1e-5) + best.slack; };
         bvh.traverse(ray, limit, [&](uint32_t prim) {
             LineHit hit = intersectLine(ray, world[prim]);
-            // What cannot become the closest hit, nor a doubtful one before it, needs no better t.
+            // A hit that can become neither the closest nor a closer doubtful one needs no better t.
             if (!hit.hits || hit.t - hit.slack > limit()) return;
             const PreciseT t = preciseT(ray, world[prim]);
             hit.t = t.high;

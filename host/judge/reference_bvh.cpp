@@ -9,7 +9,7 @@ ReferenceBvh::ReferenceBvh(std::span<const Triangle> world, std::span<const uint
     build(0, world, 0, static_cast<uint32_t>(order_.size()));
 }
 
-// Halves by number of triangles, so the depth is at most log2 of it and the stack of `traverse` suffices.
+// Splits by number of triangles into halves, so that the depth is at most its log2 and `traverse` has stack enough.
 void ReferenceBvh::build(uint32_t index, std::span<const Triangle> world, uint32_t begin, uint32_t end) {
     constexpr uint32_t kLeafSize = 4;
     Box box = emptyBox(), firsts = emptyBox();

@@ -24,8 +24,8 @@ struct PreciseT {
 };
 PreciseT preciseT(const Ray& ray, const Triangle& triangle);
 
-// Does the ray's line pass an edge of the triangle within `ulps` units in the last place of that edge's largest
-// coordinate (a float)? In double, whose error is 2^-50 of the way from the ray's origin.
+// Whether the ray's line passes an edge of the triangle within `ulps` units in the last place of that edge's largest
+// coordinate (a float). Computed in double, whose error is 2^-50 of the way from the ray's origin.
 bool passesNearEdge(const Ray& ray, const Triangle& triangle, double ulps);
 
 }  // namespace cleave

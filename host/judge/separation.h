@@ -1,4 +1,4 @@
-// Does a triangle meet a box? Decided exactly, for the validator; builders clip by other means.
+// Exact test whether a triangle meets a box, for the validator; builders clip by other means.
 #pragma once
 
 #include "shared/box.h"
@@ -6,7 +6,7 @@
 
 namespace cleave {
 
-// Which contact counts: only with the open interior of the box, or with its boundary too.
+// The kind of contact that counts: with the open interior of the box only, or with its boundary too.
 enum class Contact { interior, closed };
 
 // Separating axis test (Gottschalk et al. 1996; Akenine-Moeller 2001) over the 13 normals that the faces of box minus

@@ -1,10 +1,10 @@
-// How coverage is proven. (1) A triangle that meets the open interior of a leaf's cell must be listed there. That is
-// enough for every triangle that lies in no axis-parallel plane: the planes of the tree cut it along lines only, so
-// each of its points is a limit of its points in open cells; one of finitely many cells holds infinitely many of these,
-// lists the triangle by (1), and is closed. (2) A triangle in a plane x[axis] = const may lie in faces of cells. There,
-// apart from lines again, each of its points has one leaf behind the plane and one before it (or one in all: inside a
-// cell, or on the bounds). So the two sides are walked together, and for each pair of leaves whose rectangles overlap
-// within the triangle one must list it. Root bounds without thickness are the case of one side only.
+// Coverage is proven in two steps. (1) A triangle that meets the open interior of a leaf's cell must be listed there.
+// That is enough for every triangle that lies in no axis-parallel plane: the planes of the tree cut it along lines
+// only, so each of its points is a limit of its points in open cells; one of finitely many cells holds infinitely many
+// of these, lists the triangle by (1), and is closed. (2) A triangle in a plane x[axis] = const may lie in faces of
+// cells. There, apart from lines again, each of its points has one leaf below the plane and one above it (or one in
+// all: inside a cell, or on the bounds). So the two sides are walked together, and for each pair of leaves whose
+// rectangles overlap within the triangle one must list it. Root bounds without thickness are the case of one side only.
 #include "judge/validate.h"
 
 #include <algorithm>
@@ -181,8 +181,8 @@ class Validator {
     void coverPlanar(uint32_t triangle, int axis) {
         const float x = set_.triangles[triangle].a[axis];
         const bool onHigh = x == tree_.bounds.hi[axis], onLow = x == tree_.bounds.lo[axis];
-        const uint32_t behind = onLow && !onHigh ? kNone : 0, before = onHigh ? kNone : 0;
-        coverPair({triangle, axis, x}, behind, before, tree_.bounds);
+        const uint32_t below = onLow && !onHigh ? kNone : 0, above = onHigh ? kNone : 0;
+        coverPair({triangle, axis, x}, below, above, tree_.bounds);
     }
 
     struct Sheet {
@@ -193,19 +193,19 @@ class Validator {
 
     bool isLeafOrNone(uint32_t index) const { return index == kNone || isLeaf(tree_.nodes[index]); }
 
-    // `behind` ends at the sheet, `before` starts there (kNone: nothing on that side); the same node twice: the sheet
+    // `below` ends at the sheet, `above` starts there (kNone: nothing on that side); the same node twice: the sheet
     // lies strictly inside its cell. `cell` is their common rectangle, whatever it says about the sheet's own axis.
-    void coverPair(const Sheet& sheet, uint32_t behind, uint32_t before, const Box& cell) {
+    void coverPair(const Sheet& sheet, uint32_t below, uint32_t above, const Box& cell) {
         if (!meetsRectangle(set_.triangles[sheet.triangle], cell, sheet.axis)) return;
-        if (isLeafOrNone(behind) && isLeafOrNone(before)) {
-            const bool listed = (behind != kNone && lists(behind, sheet.triangle)) ||
-                                (before != kNone && lists(before, sheet.triangle));
-            const uint32_t named = behind != kNone ? behind : before;
+        if (isLeafOrNone(below) && isLeafOrNone(above)) {
+            const bool listed =
+                (below != kNone && lists(below, sheet.triangle)) || (above != kNone && lists(above, sheet.triangle));
+            const uint32_t named = below != kNone ? below : above;
             if (!listed) fail(triangleName(sheet.triangle) + " is not covered where it touches " + nodeName(named));
             return;
         }
-        const bool inside = behind == before;
-        const uint32_t index = isLeafOrNone(behind) ? before : behind;
+        const bool inside = below == above;
+        const uint32_t index = isLeafOrNone(below) ? above : below;
         const KdNode node = tree_.nodes[index];
         const int axis = static_cast<int>(nodeAxis(node));
         const float plane = nodePosition(node);
@@ -214,7 +214,7 @@ class Validator {
             Box part = cell;
             if (axis == sheet.axis) {
                 if (inside && sheet.x == plane) return coverPair(sheet, child, child + 1, cell);
-                const bool touches = inside ? (sheet.x < plane) == (side == 0) : (index == behind) == (side == 1);
+                const bool touches = inside ? (sheet.x < plane) == (side == 0) : (index == below) == (side == 1);
                 if (!touches) continue;
             } else if (side == 0) {
                 part.hi[axis] = std::min(part.hi[axis], plane);
@@ -223,8 +223,7 @@ class Validator {
             }
             // The planes of one side may lie outside the rectangle that the other has already cut.
             if (axis != sheet.axis && part.lo[axis] >= part.hi[axis]) continue;
-            coverPair(sheet, inside || index == behind ? child : behind, inside || index == before ? child : before,
-                      part);
+            coverPair(sheet, inside || index == below ? child : below, inside || index == above ? child : above, part);
         }
     }
 

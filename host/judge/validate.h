@@ -1,5 +1,4 @@
-// Is this a tree that gives every ray its answer? Checks any tree against its triangles, by code that shares nothing
-// with the builders.
+// Checks that a tree is sound: that every ray finds its answer in it. The code shares nothing with the builders.
 #pragma once
 
 #include <cstdint>

@@ -27,13 +27,13 @@ struct Faces {
     }
 };
 
-// How many of the ascending values lie in [lo, hi].
+// Number of the ascending values that lie in [lo, hi].
 uint32_t countWithin(const std::vector<float>& values, float lo, float hi) {
     const auto first = std::lower_bound(values.begin(), values.end(), lo);
     return static_cast<uint32_t>(std::upper_bound(first, values.end(), hi) - first);
 }
 
-// The best of all faces; kLeafAxis if none lies strictly inside of the cell.
+// The best of all faces; kLeafAxis if none lies strictly inside the cell.
 Split bestSplit(const Box& cell, std::span<const ClippedRef> refs) {
     Split best = noSplit();
     for (uint32_t axis = 0; axis < 3; ++axis) {
@@ -56,7 +56,7 @@ bool areIdentical(std::span<const ClippedRef> refs) {
     return refs.size() > 1 && std::all_of(refs.begin(), refs.end(), isFirst);
 }
 
-// Goes down the tree with the references of each cell, clipped as builders clip them.
+// Descends the tree with the references of each cell, clipped as builders clip them.
 class Walk {
   public:
     Walk(const KdTree& tree, const TriangleSet& set, const BuildSettings& settings)
@@ -82,7 +82,7 @@ class Walk {
         visit(children[1], onSide(refs, split, kRight));
     }
 
-    // To which side planar references went is not written in the tree: they are taken along on both, and leaves know.
+    // The tree does not say to which side planar references went: both sides keep them, and leaf lists decide.
     Refs onSide(const Refs& refs, const Split& split, uint32_t side) const {
         Refs kept;
         const int axis = static_cast<int>(split.axis);

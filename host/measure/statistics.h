@@ -1,4 +1,4 @@
-// What a tree is like, in numbers.
+// Statistics of a tree: counts, depth and expected costs.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// How many triangles the planes of a tree cut. Wald and Havran's build runs in O(N log N) if a plane cuts O(sqrt n) of
-// a node's n triangles, as is said of reasonable scenes (de Berg et al. 2002; survey section 5).
+// Counts the triangles that the planes of a tree cut. Wald and Havran's build runs in O(N log N) if a plane cuts O(sqrt
+// n) of a node's n triangles, as is said of reasonable scenes (de Berg et al. 2002; survey section 5).
 #pragma once
 
 #include <cstdint>

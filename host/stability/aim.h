@@ -1,4 +1,4 @@
-// What the families of rays share: where the scene is, and rays from a point to a point.
+// Functions that the families of rays share: the place of the scene, and rays from point to point.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Closed surfaces, and points strictly inside of them: a ray from there must hit, whatever it is aimed at.
+// Closed surfaces, and points strictly inside them: a ray from there must hit in every direction.
 #pragma once
 
 #include <span>

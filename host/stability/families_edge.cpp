@@ -73,7 +73,7 @@ std::vector<Ray> gridRays(const Target& target) {
     });
 }
 
-// The interval begins or ends at the hit, a float before it, or a float behind it.
+// The interval begins or ends at the hit, one float below it, or one float above it.
 std::vector<Ray> endingRays(const Target& target) {
     if (target.set.included.empty()) return {};
     Target half = target;

@@ -13,7 +13,7 @@
 
 namespace cleave {
 
-// What rays are aimed at.
+// The target that rays are aimed at.
 struct Target {
     std::span<const Triangle> world;
     const TriangleSet& set;  // of these triangles

@@ -1,4 +1,4 @@
-// What cases are put together from. Vertices are shared by index, so that faces meet in the very same floats.
+// Building blocks of the cases. Vertices are shared by index, so that faces meet in the very same floats.
 #pragma once
 
 #include <functional>

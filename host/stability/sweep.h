@@ -57,7 +57,7 @@ class SceneSweep {
     std::vector<Volley> shared_;  // of the families that need no tree
 };
 
-// A walk on the host, a textbook's (kdtree/oracle.h).
+// stackWalk (judge/oracle.h) on the host.
 TraversalUnderTest hostStack(const TriangleSet& set, uint64_t mostWork, uint32_t threads = 2);
 
 }  // namespace cleave

@@ -1,4 +1,4 @@
-// References of triangles from nodes under construction, and what becomes of those that straddle a plane.
+// References to triangles, clipped to the cell of a node, and their partition at a plane.
 #pragma once
 
 #include <cstring>
@@ -27,7 +27,7 @@ inline void copyToBoth(const ClippedRef& from, ClippedRef* a, ClippedRef* b) {
     std::memcpy(static_cast<void*>(b), bytes, sizeof from);
 }
 
-// What a chooser is asked about.
+// A node for which a split is to be chosen.
 struct NodeToSplit {
     std::span<const ClippedRef> refs;
     Box cell;
@@ -52,7 +52,7 @@ struct ChildEnds {
 };
 
 // Writes the references of both children, in order, from `ends` on, and moves these. Every reference is written to
-// both; where it is not wanted the next one takes its place: each end needs room for all references. One of them may be
+// both; an unwanted one is overwritten by the next: each end needs capacity for all references. One of them may be
 // where the references themselves are, since reading is always ahead of writing.
 inline ChildEnds partition(const TriangleSet& set, std::span<const ClippedRef> refs, const Split& split, bool clip,
                            ChildEnds ends) {

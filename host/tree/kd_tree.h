@@ -1,4 +1,4 @@
-// The tree, as every builder produces it and everything else reads it: the seam of the program.
+// The kd-tree: output of every builder, input of everything else.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct KdTree {
 // after the other with the level, as in Bentley's trees. SAH builders have their rule in their name.
 enum class AxisChoice { all, widest, cycle };
 
-// What shapes a tree, for all builders that know the knob.
+// Settings that shape a tree. A builder ignores those that it has no use for.
 struct BuildSettings {
     uint32_t bins = kBins;                // per axis, 2 to 32
     uint32_t exactUpTo = kExactUpTo;      // exact SAH in nodes of at most so many references, up to kMostExactUpTo

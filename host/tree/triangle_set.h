@@ -1,4 +1,4 @@
-// The triangles as builders take them: scaled to about unit size, with what cannot be built over set aside.
+// The input of every builder: the triangles scaled to about unit size, without those that no tree can be built over.
 #pragma once
 
 #include <cstdint>

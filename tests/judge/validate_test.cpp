@@ -1,4 +1,4 @@
-// Each test breaks a sound tree in one way and expects to be told.
+// Each test breaks a sound tree in one way and expects an error.
 #include "judge/validate.h"
 
 #include <gtest/gtest.h>
@@ -162,7 +162,7 @@ TEST_F(Sheet, MayBeListedOnEitherSideOfItsPlane) {
         EXPECT_EQ(isSound(), lists != 0);
     }
 }
-// Behind the sheet y is cut, before it z; the leaf y < 0.5 behind and the leaf z > 0.5 before leave a gap at y > 0.5,
+// Below the sheet y is cut, above it z; the leaf y < 0.5 below and the leaf z > 0.5 above leave a gap at y > 0.5,
 // z < 0.5, where the sheet still is.
 TEST_F(Sheet, MayBeSharedBetweenSidesWithoutAGap) {
     const auto build = [&](uint32_t behindLow, uint32_t behindHigh, uint32_t beforeLow, uint32_t beforeHigh) {

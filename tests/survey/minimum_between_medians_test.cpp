@@ -1,7 +1,7 @@
 // Survey, section 4: the plane that minimises equation 4.1 lies between the object median and the spatial median. For
 // point-like objects, R = n - L, this is so: with w the width of the cell, F half the area of its cut face and P the
-// face's rim, f(b) = (F + P b) L(b) + (F + P (w - b)) (n - L(b)). Before both medians f's slope, P (2 L - n), is below
-// zero, and where L grows by one, f changes by LSA - RSA < 0: it falls. Behind both it rises.
+// face's rim, f(b) = (F + P b) L(b) + (F + P (w - b)) (n - L(b)). Below both medians f's slope, P (2 L - n), is below
+// zero, and where L grows by one, f changes by LSA - RSA < 0: it falls. Above both it rises.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -150,7 +150,7 @@ TEST(MinimumBetweenMedians, DoesNotHoldForStraddlingBoxes) {
     Scene scene{{vec3(0), vec3(10)}, std::vector<Box>(10, Box{vec3(4, 0, 0), vec3(10, 10, 10)})};
     EXPECT_EQ(sweep(scene, 0).position, 4.0f);
     EXPECT_FALSE(betweenMedians(scene, 0).holds(2 * 4));
-    // Nor is it about empty space only: with a box before that plane its sides hold 1 and 10, others 11 and 10.
+    // Nor is it about empty space only: with a box below that plane its sides hold 1 and 10, others 11 and 10.
     scene.boxes.push_back({vec3(0, 0, 0), vec3(2, 10, 10)});
     EXPECT_EQ(sweep(scene, 0).position, 4.0f);
     EXPECT_FALSE(betweenMedians(scene, 0).holds(2 * 4));

@@ -1,5 +1,5 @@
 // Survey, section 5: a plane cuts O(sqrt n) of a node's n triangles on reasonable scenes, and that is what the build's
-// O(N log N) rests on. (Memory and the two builds' sorting are judged in kdtree/exact_builders_test.cpp.)
+// O(N log N) rests on. (Memory and the two builds' sorting are judged in builders/exact_builders_test.cpp.)
 #include "measure/straddling.h"
 
 #include <gtest/gtest.h>
