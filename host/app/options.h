@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <glm/glm.hpp>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -62,6 +63,11 @@ uint64_t raysToJudge(const Options& options);
 
 // The trace mode of commands that use a single one.
 TraceMode traceMode(const Options& options);
+
+// Wrong use of the command line: exit status 2.
+struct UsageError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
 
 // Throws UsageError, whose text says what there is to choose from. Files are not looked at.
 Request parseCommandLine(int argc, const char* const* argv);

@@ -11,9 +11,4 @@ struct Error : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// Wrong use of the command line: exit status 2.
-struct UsageError : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
 }  // namespace cleave
