@@ -20,6 +20,7 @@
 #include <cleave/modes.hpp>
 #include <memory>
 
+#pragma GCC visibility push(default)
 namespace cleave {
 
 // Versions of this interface, of the bytes of a tree, and of the answers: the last is raised whenever a bit of a hit
@@ -238,3 +239,4 @@ struct TraceInfo {
 void cmdTrace(VkCommandBuffer commands, const Context& context, const TraceInfo& info) noexcept;
 
 }  // namespace cleave
+#pragma GCC visibility pop

@@ -1,0 +1,131 @@
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/stopwatch.h"
+#include "builders/builder_names.h"
+#include "facade/copied.h"
+#include "facade/states.h"
+#include "twin/twin_builder.h"
+
+namespace cleave::scene {
+namespace {
+
+struct Built {
+    std::shared_ptr<DeviceTree> tree;
+    TreeCounts counts;  // but for what the tree's header tells
+};
+
+void requireWithin(const char* setting, uint64_t value, uint64_t least, uint64_t most) {
+    if (value < least || value > most)
+        throw Error("build settings: " + std::string(setting) + " is " + std::to_string(value) + "; it must be from " +
+                    std::to_string(least) + " to " + std::to_string(most));
+}
+
+cleave::BuildSettings settingsOf(const BuildSettings& from) {
+    requireWithin("bins", from.bins, 2, kBins);
+    requireWithin("exactUpTo", from.exactUpTo, 0, kMostExactUpTo);
+    requireWithin("maxDepth", from.maxDepth, 0, kMaxDepth);
+    cleave::BuildSettings s;
+    s.bins = from.bins;
+    s.exactUpTo = from.exactUpTo;
+    s.maxDepth = from.maxDepth;
+    s.clip = from.clip;
+    s.subsample = from.subsample;
+    s.axes = static_cast<AxisChoice>(from.axes);
+    s.leafSize = from.leafSize;
+    s.threads = from.threads;
+    s.memory = from.memory;
+    return s;
+}
+static_assert(static_cast<int>(Axes::widest) == static_cast<int>(AxisChoice::widest) &&
+              static_cast<int>(Axes::cycle) == static_cast<int>(AxisChoice::cycle));
+
+void requireList(std::span<const uint32_t> list, size_t triangles) {
+    const bool ascends = std::adjacent_find(list.begin(), list.end(), std::greater_equal<>()) == list.end();
+    if (!ascends || (!list.empty() && list.back() >= triangles))
+        throw Error("building a tree: the list of triangles must hold ascending numbers below " +
+                    std::to_string(triangles));
+}
+
+Built buildOnDevice(GpuBuilder& builder, const DeviceTriangles& triangles, const cleave::BuildSettings& settings,
+                    std::span<const uint32_t> list) {
+    GpuBuilder::Result result = builder.build(triangles, settings, list);
+    Built built{std::move(result.tree), {}};
+    built.counts.peakBytes = result.peakBytes;
+    built.counts.attempts = result.attempts;
+    built.counts.memoryLimited = result.memoryLimited;
+    built.counts.ms = result.ms;
+    return built;
+}
+
+Built buildOnHost(cleave::Device& device, std::string_view builder, std::span<const cleave::Triangle> triangles,
+                  const cleave::BuildSettings& settings, std::span<const uint32_t> list) {
+    const TriangleSet set = makeTriangleSet(triangles, list);
+    Built built;
+    KdTree tree;
+    const Stopwatch watch;
+    if (builder == "twin") {
+        TwinResult result = buildTwin(set, settings);
+        tree = std::move(result.tree);
+        built.counts.peakBytes = result.peakBytes;
+        built.counts.memoryLimited = result.memoryLimited;
+    } else {
+        BuildReport report;
+        tree = cpuBuilder(builder).build(set, settings, &report);
+        built.counts.peakBytes = report.peakBytes;
+    }
+    built.counts.ms = watch.milliseconds();
+    built.tree = uploadTree(device, set, tree);
+    return built;
+}
+
+}  // namespace
+
+std::vector<std::string_view> builders() {
+    std::vector<std::string_view> names{"gpu", "twin"};
+    for (const CpuBuilder& builder : cpuBuilders()) names.push_back(builder.name);
+    return names;
+}
+
+Mesh::Mesh(Device& device, std::span<const Triangle> triangles)
+    : state_(std::make_unique<State>(State{device.state_.get(), copied<cleave::Triangle>(triangles), {}, {}})) {
+    if (triangles.size() > kMaxLink) throw Error("the mesh has more than 2^30 triangles; split it");
+}
+
+Mesh::~Mesh() = default;
+Mesh::Mesh(Mesh&&) noexcept = default;
+
+Tree Mesh::build(std::string_view builder, const BuildSettings& settings, std::span<const uint32_t> list) {
+    State& s = *state_;
+    requireList(list, s.triangles.size());
+    const std::vector<std::string_view> known = builders();
+    if (std::find(known.begin(), known.end(), builder) == known.end()) {
+        std::string names;
+        for (const std::string_view name : known) names += (names.empty() ? "" : ", ") + std::string(name);
+        throw Error("no builder is named '" + std::string(builder) + "'; there is: " + names);
+    }
+    if (builder == "gpu" && !s.onDevice) s.onDevice = std::make_unique<DeviceTriangles>(s.device->device, s.triangles);
+    Built built = builder == "gpu" ? buildOnDevice(s.device->builder(), *s.onDevice, settingsOf(settings), list)
+                                   : buildOnHost(s.device->device, builder, s.triangles, settingsOf(settings), list);
+    const TreeHeader& h = built.tree->header;
+    built.counts.triangles = static_cast<uint32_t>(list.empty() ? s.triangles.size() : list.size());
+    built.counts.nonFinite = h.nonFinite;
+    built.counts.noArea = h.noArea;
+    built.counts.nodes = h.nodeCount;
+    built.counts.references = h.leafRefCount;
+    built.counts.bytes = h.bytes;
+    return Tree(std::unique_ptr<Tree::State>(new Tree::State{&s.device->tracer, std::move(built.tree)}), built.counts);
+}
+
+Judgement Mesh::judge(std::span<const TraceRay> rays, std::span<const TraceHit> hits, Query query, uint64_t count,
+                      uint32_t threads) {
+    if (hits.size() != rays.size())
+        throw Error("judging: there are " + std::to_string(hits.size()) + " hits for " + std::to_string(rays.size()) +
+                    " rays; give one per ray");
+    State& s = *state_;
+    if (!s.reference) s.reference = std::make_unique<Reference>(s.triangles, makeTriangleSet(s.triangles).included);
+    CheckResult result = check(*s.reference, copied<Ray>(rays), copied<Hit>(hits), query, count, threads);
+    return {result.rays, result.mismatches, result.undecided, result.maxRelativeTError, std::move(result.first)};
+}
+
+}  // namespace cleave::scene
