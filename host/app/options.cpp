@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "app/host_builders.h"
+#include "facade/host_builders.h"
 #include "app/option_values.h"
 #include "base/error.h"
 #include "stability/cases.h"

@@ -1,6 +1,6 @@
 #include "app/session.h"
 
-#include "app/host_builders.h"
+#include "facade/host_builders.h"
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "base/text.h"

@@ -1,6 +1,6 @@
 #include "app/stability_trees.h"
 
-#include "app/host_builders.h"
+#include "facade/host_builders.h"
 #include "base/stopwatch.h"
 
 namespace cleave {

@@ -2,10 +2,9 @@
 
 #include "base/error.h"
 #include "base/stopwatch.h"
-#include "builders/builder_names.h"
 #include "facade/copied.h"
+#include "facade/host_builders.h"
 #include "facade/states.h"
-#include "twin/twin_builder.h"
 
 namespace cleave::scene {
 namespace {
@@ -62,28 +61,20 @@ Built buildOnHost(cleave::Device& device, std::string_view builder, std::span<co
                   const cleave::BuildSettings& settings, std::span<const uint32_t> list) {
     const TriangleSet set = makeTriangleSet(triangles, list);
     Built built;
-    KdTree tree;
     const Stopwatch watch;
-    if (builder == "twin") {
-        TwinResult result = buildTwin(set, settings);
-        tree = std::move(result.tree);
-        built.counts.peakBytes = result.peakBytes;
-        built.counts.memoryLimited = result.memoryLimited;
-    } else {
-        BuildReport report;
-        tree = cpuBuilder(builder).build(set, settings, &report);
-        built.counts.peakBytes = report.peakBytes;
-    }
+    const BuildOutcome outcome = hostBuilder(builder).build(set, settings);
+    built.counts.peakBytes = outcome.peakBytes;
+    built.counts.memoryLimited = outcome.memoryLimited;
     built.counts.ms = watch.milliseconds();
-    built.tree = uploadTree(device, set, tree);
+    built.tree = uploadTree(device, set, outcome.tree);
     return built;
 }
 
 }  // namespace
 
 std::vector<std::string_view> builders() {
-    std::vector<std::string_view> names{"gpu", "twin"};
-    for (const CpuBuilder& builder : cpuBuilders()) names.push_back(builder.name);
+    std::vector<std::string_view> names{"gpu"};
+    for (const TreeBuilder& builder : hostBuilders()) names.push_back(builder.name);
     return names;
 }
 

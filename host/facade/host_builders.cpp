@@ -1,4 +1,4 @@
-#include "app/host_builders.h"
+#include "facade/host_builders.h"
 
 #include <vector>
 
