@@ -57,8 +57,7 @@ SetFigures measure(Run& run, Session& session, const DeviceTree& tree, const Ray
     TraceMode counting = mode;
     counting.countSteps = true;
     if (run.options.triangleTests.size() > 1)
-        figures.resolvedShare =
-            resolvedShare(tracer.trace(tree, set.rays, counting).steps);
+        figures.resolvedShare = resolvedShare(tracer.trace(tree, set.rays, counting).steps);
     run.progress.phase("timing " + name + " rays");
     std::vector<double> times;
     for (uint32_t i = 0; i < run.options.runs; ++i) times.push_back(tracer.trace(tree, set.rays, mode).ms);
@@ -78,8 +77,8 @@ BuilderFigures benchBuilder(Run& run, Session& session, Builder builder, RaySets
             const bool first = sets[1].rays.empty();
             std::vector<Hit> hits;
             for (size_t i = 0; i < sets.size(); ++i) {
-                mode.sets[i] = measure(run, session, tree, sets[i], {sets[i].query, traversal, test, false}, kRaySets[i],
-                                       i == 0 ? &hits : nullptr);
+                mode.sets[i] = measure(run, session, tree, sets[i], {sets[i].query, traversal, test, false},
+                                       kRaySets[i], i == 0 ? &hits : nullptr);
                 if (i == 0 && first && !hits.empty()) makeSecondaryRays(sets, session, hits);
             }
             figures.modes.push_back(mode);

@@ -26,8 +26,7 @@ LeakFigures shoot(Run& run, const ClosedMesh& mesh, const TreeUnderTest& tree, T
         run.progress.phase(figures.mesh + " (" + tree.builder + ", " + figures.traversal + "), " +
                            grouped(figures.leaks.rays) + " of " + grouped(rays) + " rays");
         const std::vector<Ray> some = leakRays(mesh, std::min(kBatch, rays - figures.leaks.rays), seed + batch);
-        const Tracer::Result traced =
-            run.device.tracer().trace(*tree.onDevice, some, {.traversal = traversal});
+        const Tracer::Result traced = run.device.tracer().trace(*tree.onDevice, some, {.traversal = traversal});
         countLeaks(figures.leaks, some, traced.hits);
         figures.ms += traced.ms;
     }

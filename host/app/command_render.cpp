@@ -60,8 +60,8 @@ void runRender(Run& run) {
     writeReport(run, report);
     requireAnswered(picture.cappedRays, check, session.scene().name);
 
-    run.print(builtLine(built) + tracedLine(rays, picture.traceMs, picture.invalidRays) + (options.check > 0 ? checkedLine(check) : "") +
-              "picture   " + options.output.string() + "\n");
+    run.print(builtLine(built) + tracedLine(rays, picture.traceMs, picture.invalidRays) +
+              (options.check > 0 ? checkedLine(check) : "") + "picture   " + options.output.string() + "\n");
 }
 
 }  // namespace cleave

@@ -31,8 +31,8 @@ void runTrace(Run& run) {
     writeReport(run, report);
     requireAnswered(traced.cappedRays, check, session.scene().name);
 
-    run.print(builtLine(built) + tracedLine(rays.size(), traced.ms, traced.invalidRays) + (options.check > 0 ? checkedLine(check) : "") +
-              "hits      " + options.output.string() + "\n");
+    run.print(builtLine(built) + tracedLine(rays.size(), traced.ms, traced.invalidRays) +
+              (options.check > 0 ? checkedLine(check) : "") + "hits      " + options.output.string() + "\n");
 }
 
 }  // namespace cleave

@@ -17,8 +17,8 @@ class DeviceKit {
   public:
     explicit DeviceKit(std::string nameOrIndex) : nameOrIndex_(std::move(nameOrIndex)) {}
 
-    // Opened with what the environment says: CLEAVE_VALIDATION=1 turns the validation layers on, CLEAVE_NO_MAP=1 refuses
-    // mapped device memory. Pipelines are kept in the user's cache folder.
+    // Opened with what the environment says: CLEAVE_VALIDATION=1 turns the validation layers on, CLEAVE_NO_MAP=1
+    // refuses mapped device memory. Pipelines are kept in the user's cache folder.
     Device& device();
     GpuBuilder& builder();  // warm
     Tracer& tracer();

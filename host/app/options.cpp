@@ -9,9 +9,9 @@
 #include <string_view>
 #include <utility>
 
-#include "facade/host_builders.h"
 #include "app/option_values.h"
 #include "base/error.h"
+#include "facade/host_builders.h"
 #include "stability/cases.h"
 
 namespace cleave {

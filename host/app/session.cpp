@@ -1,9 +1,11 @@
 #include "app/session.h"
 
-#include "facade/host_builders.h"
+#include <algorithm>
+
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
+#include "facade/host_builders.h"
 #include "figures/timing.h"
 #include "scene/camera.h"
 
@@ -55,6 +57,7 @@ void Session::buildOnDevice(BuiltTree& built) {
     built.runs.push_back(result.ms);
     built.peakBytes = result.peakBytes;
     built.memoryLimited = result.memoryLimited;
+    built.attempts = std::max(built.attempts, result.attempts);
 }
 
 BuiltTree Session::build(Builder builder, uint32_t runs) {

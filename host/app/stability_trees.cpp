@@ -1,7 +1,7 @@
 #include "app/stability_trees.h"
 
-#include "facade/host_builders.h"
 #include "base/stopwatch.h"
+#include "facade/host_builders.h"
 
 namespace cleave {
 namespace {

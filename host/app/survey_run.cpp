@@ -99,10 +99,8 @@ void timeOnce(Run& run, Session& session, const SurveyRays& rays, SurveyBuilder&
     const Stopwatch upload;
     const DeviceTree& tree = session.upload(built);
     if (!onDevice) figures.upload.push_back(upload.milliseconds());
-    if (!rays.primary.empty())
-        figures.primary.push_back(run.device.tracer().trace(tree, rays.primary).ms);
-    if (!rays.diffuse.empty())
-        figures.diffuse.push_back(run.device.tracer().trace(tree, rays.diffuse).ms);
+    if (!rays.primary.empty()) figures.primary.push_back(run.device.tracer().trace(tree, rays.primary).ms);
+    if (!rays.diffuse.empty()) figures.diffuse.push_back(run.device.tracer().trace(tree, rays.diffuse).ms);
 }
 
 SurveyComplexity complexityOf(Run& run, const TriangleSet& set) {

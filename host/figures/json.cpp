@@ -28,6 +28,7 @@ Json buildJson(const BuiltTree& built) {
             {"leafHistogram", s.leafHistogram},
             {"peakBytes", built.peakBytes},
             {"memoryLimited", built.memoryLimited},
+            {"attempts", built.attempts},
             {"kernelsMs", kernels},
             {"expectedInner", numberJson(s.expectedInner)},
             {"expectedLeaves", numberJson(s.expectedLeaves)},

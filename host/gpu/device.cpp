@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "cleave/cleave.hpp"
 #include "base/error.h"
+#include "cleave/cleave.hpp"
 #include "gpu/allocator.h"
 #include "gpu/check.h"
 #include "gpu/staging.h"

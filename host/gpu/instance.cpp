@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include "cleave/cleave.hpp"
 #include "base/error.h"
+#include "cleave/cleave.hpp"
 #include "gpu/check.h"
 
 namespace cleave {

@@ -10,7 +10,6 @@
 #include "cleave/modes.hpp"
 #include "shared/ray.h"
 #include "tree/kd_tree.h"
-#include "cleave/modes.hpp"
 #include "tree/triangle_set.h"
 
 namespace cleave {

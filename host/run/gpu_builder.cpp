@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "core/build_passes.h"
 #include "base/error.h"
-#include "tree/build_info.h"
+#include "base/stopwatch.h"
+#include "core/build_passes.h"
 #include "run/context_of.h"
 #include "run/ranges.h"
-#include "base/stopwatch.h"
+#include "tree/build_info.h"
 
 namespace cleave {
 namespace {

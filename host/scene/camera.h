@@ -51,7 +51,8 @@ struct ViewOverrides {
 // Applies the changes. With an eye but no point to look at, the camera looks at the centre of the bounds.
 Camera overridden(const Camera& camera, const Box& bounds, const ViewOverrides& overrides);
 
-// Gives the camera an image plane of so many pixels. Its rays are those of imageRay() (shared/picture.h), t in [0, tMax].
+// Gives the camera an image plane of so many pixels. Its rays are those of imageRay() (shared/picture.h), t in [0,
+// tMax].
 ImageCamera imageCamera(const Camera& camera, uint32_t width, uint32_t height, float tMax);
 
 }  // namespace cleave

@@ -3,9 +3,9 @@
 
 #include <string>
 
+#include "base/error.h"
 #include "cleave/cleave.hpp"
 #include "core/capacity.h"
-#include "base/error.h"
 #include "tree/kd_tree.h"
 
 namespace cleave {

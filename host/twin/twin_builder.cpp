@@ -1,7 +1,7 @@
 #include "twin/twin_builder.h"
 
-#include "core/capacity.h"
 #include "base/error.h"
+#include "core/capacity.h"
 #include "tree/build_info.h"
 #include "twin/passes.h"
 

@@ -85,8 +85,8 @@ CLEAVE_FN Split betterOf(Split best, Box cell, uint axis, float position, uint l
     return best;
 }
 
-// The better of `best` and a plane at `position`. `left` references begin below it, `right` end above it and `planar` lie
-// in it; these are tried on either side.
+// The better of `best` and a plane at `position`. `left` references begin below it, `right` end above it and `planar`
+// lie in it; these are tried on either side.
 CLEAVE_FN Split betterOfBothSides(Split best, Box cell, uint axis, float position, uint left, uint right, uint planar) {
     best = betterOf(best, cell, axis, position, left + planar, right, 1u);
     if (planar > 0u) best = betterOf(best, cell, axis, position, left, right + planar, 0u);

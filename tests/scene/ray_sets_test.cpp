@@ -68,7 +68,9 @@ TEST(RaySets, primaryRaysGoTileByTile) {
     const std::vector<Ray> rays = primaryRays(kUnit, false, 20);  // 8 + 8 + 4 pixels: the last tiles are cut
     const Camera camera = defaultCamera(kUnit);
     ASSERT_EQ(rays.size(), 400u);
-    auto at = [&](double x, double y) { return imageRay(imageCamera(camera, 20, 20, 1e30f), x + 0.5, y + 0.5).direction; };
+    auto at = [&](double x, double y) {
+        return imageRay(imageCamera(camera, 20, 20, 1e30f), x + 0.5, y + 0.5).direction;
+    };
     EXPECT_EQ(rays[0].direction, at(0, 0));
     EXPECT_EQ(rays[9].direction, at(1, 1));
     EXPECT_EQ(rays[64].direction, at(8, 0));

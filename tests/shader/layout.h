@@ -40,18 +40,19 @@ struct LayoutRecord {
 // A scalar has a number, an address the same in its low word.
 #define CLEAVE_LAYOUT_FIELDS(UINT, INT, FLOAT, DOUBLE, ADDRESS)                                                               \
     UINT(faces.below)                                                                                                         \
-    UINT(faces.above) UINT(faces.left) UINT(faces.rightBelow) UINT(faces.right) UINT(faces.planar) UINT(                      \
-        scene.largest) UINT(scene.included) UINT(scene.nonFinite) UINT(scene.noArea) UINT(scene.boundsBits[0])                \
-        UINT(scene.boundsBits[5]) UINT(tree.magic) UINT(tree.format) UINT(tree.status) UINT(tree.levels) UINT(                \
-            tree.triangleCount) UINT(tree.nodeCount) UINT(tree.leafRefCount) UINT(tree.nonFinite) UINT(tree.noArea)           \
-            INT(tree.exponent) FLOAT(tree.bounds.lo.x) FLOAT(tree.bounds.hi.z) UINT(tree.wantedRefs) UINT(                    \
-                tree.wantedLevelNodes) UINT(tree.wantedNodes) UINT(tree.wantedLeafRefs) UINT(tree.bytes.x)                    \
-                UINT(tree.bytes.y) UINT(tree.wantedBytes.x) UINT(tree.wantedBytes.y) ADDRESS(                                 \
-                    tree.triangles, TriangleArray) ADDRESS(tree.numbers, UintArray) ADDRESS(tree.nodes, KdNodeArray)          \
-                    ADDRESS(tree.leafRefs, UintArray) ADDRESS(geometry.vertices, FloatArray) ADDRESS(                         \
-                        geometry.indices, UintArray) ADDRESS(geometry.transform, FloatArray)                                  \
-                        UINT(geometry.stride) UINT(geometry.vertexCount) UINT(geometry.firstTriangle) UINT(                   \
-                            geometry.indexBits) UINT(geometry.hasTransform) UINT(geometry.reserved) UINT(trail.upper)         \
+    UINT(faces.above)                                                                                                         \
+    UINT(faces.left) UINT(faces.rightBelow) UINT(faces.right) UINT(faces.planar) UINT(scene.largest) UINT(                    \
+        scene.included) UINT(scene.nonFinite) UINT(scene.noArea) UINT(scene.boundsBits[0]) UINT(scene.boundsBits[5])          \
+        UINT(tree.magic) UINT(tree.format) UINT(tree.status) UINT(tree.levels) UINT(tree.triangleCount) UINT(                 \
+            tree.nodeCount) UINT(tree.leafRefCount) UINT(tree.nonFinite) UINT(tree.noArea) INT(tree.exponent)                 \
+            FLOAT(tree.bounds.lo.x) FLOAT(tree.bounds.hi.z) UINT(tree.wantedRefs) UINT(tree.wantedLevelNodes) UINT(           \
+                tree.wantedNodes) UINT(tree.wantedLeafRefs) UINT(tree.bytes.x) UINT(tree.bytes.y)                             \
+                UINT(tree.wantedBytes.x) UINT(tree.wantedBytes.y) ADDRESS(tree.triangles, TriangleArray) ADDRESS(             \
+                    tree.numbers, UintArray) ADDRESS(tree.nodes, KdNodeArray) ADDRESS(tree.leafRefs, UintArray)               \
+                    ADDRESS(geometry.vertices, FloatArray) ADDRESS(geometry.indices, UintArray) ADDRESS(                      \
+                        geometry.transform,                                                                                   \
+                        FloatArray) UINT(geometry.stride) UINT(geometry.vertexCount) UINT(geometry.firstTriangle)             \
+                        UINT(geometry.indexBits) UINT(geometry.hasTransform) UINT(geometry.reserved) UINT(trail.upper)        \
                             UINT(trail.lower) DOUBLE(camera.eye.x) DOUBLE(camera.forward.y)                                   \
                                 DOUBLE(camera.right.z) DOUBLE(camera.up.x) DOUBLE(camera.pixel) UINT(                         \
                                     camera.width) UINT(camera.height) UINT(camera.orthographic) FLOAT(camera.tMax)            \

@@ -25,7 +25,7 @@ TEST(DepthLimit, FollowsTheFormula) {
     EXPECT_EQ(depthLimit(settings, 1), 8u);
     EXPECT_EQ(depthLimit(settings, 1024), 21u);   // 8 + 13
     EXPECT_EQ(depthLimit(settings, 69451), 29u);  // 8 + 1.3 * 16.08 = 28.9
-    EXPECT_EQ(depthLimit(settings, uint64_t{1} << 60), kMaxDepth);
+    EXPECT_EQ(depthLimit(settings, kMaxLink), 47u) << "the most triangles that a tree can hold";
     BuildSettings given;
     given.maxDepth = 5;
     EXPECT_EQ(depthLimit(given, 1000000), 5u);
