@@ -52,6 +52,7 @@ void runRender(Run& run) {
                 {"trace", traceJson(options.traversals.front(), options.triangleTests.front(), rays, picture.traceMs,
                                     picture.invalidRays, picture.cappedRays)},
                 {"render", {{"ms", numberJson(picture.ms)}}}};
+    report["build"]["setupMs"] = numberJson(run.device.setupMilliseconds());
     CheckResult check;
     if (options.check > 0) {
         check = session.check(renderer.readRays(), renderer.readHits(), Query::closest, options.check);

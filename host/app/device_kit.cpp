@@ -44,6 +44,11 @@ Renderer& DeviceKit::renderer() {
     return *renderer_;
 }
 
+double DeviceKit::setupMilliseconds() const {
+    return builderSetupMilliseconds() + (tracer_ ? tracer_->setupMilliseconds() : 0.0) +
+           (renderer_ ? renderer_->setupMilliseconds() : 0.0);
+}
+
 std::optional<std::string> DeviceKit::name() const { return device_ ? std::optional(device_->name()) : std::nullopt; }
 
 }  // namespace cleave

@@ -27,6 +27,8 @@ class DeviceKit {
     bool isOpen() const { return device_ != nullptr; }
     std::optional<std::string> name() const;  // nothing unless opened
     double builderSetupMilliseconds() const { return builder_ ? builder_->setupMilliseconds() : 0.0; }
+    // Pipelines and their compilation, of all that was made so far.
+    double setupMilliseconds() const;
     TransferCount transfers() const { return device_ ? device_->transfers : TransferCount{}; }
 
   private:

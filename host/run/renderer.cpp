@@ -1,6 +1,7 @@
 #include "run/renderer.h"
 
 #include "base/error.h"
+#include "base/stopwatch.h"
 #include "gpu/commands.h"
 #include "run/ranges.h"
 
@@ -77,8 +78,11 @@ struct Renderer::State {
     }
 };
 
-Renderer::Renderer(Device& device, Tracer& tracer, TraceLimits limits)
-    : state_(std::make_unique<State>(device, tracer, limits)) {}
+Renderer::Renderer(Device& device, Tracer& tracer, TraceLimits limits) {
+    const Stopwatch watch;
+    state_ = std::make_unique<State>(device, tracer, limits);
+    setupMs_ = watch.milliseconds();
+}
 Renderer::~Renderer() = default;
 
 Picture Renderer::render(const DeviceTree& tree, const DeviceTriangles& triangles, const DeviceMaterials& materials,
@@ -97,7 +101,9 @@ Picture Renderer::render(const DeviceTree& tree, const DeviceTriangles& triangle
     info.stepLimit = s.limits.stepLimit;
     info.onPass = [](void* user, const char* pass) { static_cast<Commands*>(user)->stamp(pass); };
     info.user = &s.commands;
-    const PictureTracing tracing{&s.tracer.context(info.primaryMode()), &s.tracer.context(info.shadowMode())};
+    const bool shadows = request.view == View::shaded;
+    const PictureTracing tracing{&s.tracer.context(info.primaryMode()),
+                                 shadows ? &s.tracer.context(info.shadowMode()) : nullptr};
     s.reserve(info);
 
     Picture picture;

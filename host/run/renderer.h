@@ -40,6 +40,7 @@ class Renderer {
   public:
     Renderer(Device& device, Tracer& tracer, TraceLimits limits = {});
     ~Renderer();
+    double setupMilliseconds() const { return setupMs_; }  // of its kernels, without those that trace
     Picture render(const DeviceTree& tree, const DeviceTriangles& triangles, const DeviceMaterials& materials,
                    const PictureRequest& request);
 
@@ -51,6 +52,7 @@ class Renderer {
   private:
     struct State;
     std::unique_ptr<State> state_;
+    double setupMs_ = 0.0;
 };
 
 }  // namespace cleave

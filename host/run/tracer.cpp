@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/stopwatch.h"
 #include "gpu/commands.h"
 #include "run/context_of.h"
 #include "shared/trace.h"
@@ -25,6 +26,7 @@ struct Tracer::State {
     Buffer counters;
     Buffer rays, hits, steps, trails;  // kept from call to call
     std::vector<Traced> contexts;
+    double setupMs = 0.0;
 
     void reserve(Buffer& buffer, size_t bytes) {
         if (buffer.size() >= bytes) return;
@@ -60,14 +62,18 @@ const Context& Tracer::context(const TraceMode& mode) {
     const auto known =
         std::find_if(s.contexts.begin(), s.contexts.end(), [&](const Traced& t) { return t.mode == mode; });
     if (known != s.contexts.end()) return *known->context;
+    const Stopwatch watch;
     s.contexts.push_back({mode, contextOf(s.device, {&mode, 1}, false)});
     TraceInfo nothing;
     nothing.mode = mode;
     s.commands.begin();
     cmdTrace(s.commands.handle(), *s.contexts.back().context, nothing);
     s.commands.run();
+    s.setupMs += watch.milliseconds();
     return *s.contexts.back().context;
 }
+
+double Tracer::setupMilliseconds() const { return state_->setupMs; }
 
 Tracer::Result Tracer::trace(const DeviceTree& tree, std::span<const Ray> rays, const TraceMode& mode,
                              std::span<const Hit> from) {

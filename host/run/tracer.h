@@ -40,6 +40,8 @@ class Tracer {
     // The context that traces in a mode, made when it is first asked for. CPU devices compile at the first dispatch:
     // one without rays is run, so that a query's time is the query's.
     const Context& context(const TraceMode& mode);
+    // What making contexts has taken so far.
+    double setupMilliseconds() const;
 
   private:
     struct State;
