@@ -47,7 +47,7 @@ if(CLEAVE_SCENE)
 endif()
 
 include(CMakePackageConfigHelpers)
-configure_package_config_file(cmake/cleaveConfig.cmake.in ${PROJECT_BINARY_DIR}/package/cleaveConfig.cmake
+configure_package_config_file(tools/package/cleaveConfig.cmake.in ${PROJECT_BINARY_DIR}/package/cleaveConfig.cmake
                               INSTALL_DESTINATION ${packageDir} NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/cleaveConfigVersion.cmake
                                  COMPATIBILITY SameMinorVersion)
@@ -56,7 +56,7 @@ install(FILES ${PROJECT_BINARY_DIR}/package/cleaveConfig.cmake ${PROJECT_BINARY_
 
 # Paths in cleave.pc are relative, so that the installed tree can be moved.
 file(RELATIVE_PATH prefixFromPc ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
-configure_file(cmake/cleave.pc.in ${PROJECT_BINARY_DIR}/package/cleave.pc @ONLY)
+configure_file(tools/package/cleave.pc.in ${PROJECT_BINARY_DIR}/package/cleave.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/package/cleave.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
 if(CLEAVE_PROGRAM)
