@@ -38,6 +38,7 @@ struct LayoutRecord {
 
 // The fields of the structs that were added last, in their order: what both sides walk, counting up from kFirstListed.
 // A scalar has a number, an address the same in its low word.
+// clang-format off
 #define CLEAVE_LAYOUT_FIELDS(UINT, INT, FLOAT, DOUBLE, ADDRESS)                                                               \
     UINT(faces.below)                                                                                                         \
     UINT(faces.above)                                                                                                         \
@@ -102,6 +103,8 @@ struct LayoutRecord {
                                                                                                     PictureArgsRef)           \
                                                                                                     UINT(picturePush          \
                                                                                                              .round)
+
+// clang-format on
 
 // The arrays of builds and pictures, by their lists.
 #define CLEAVE_LAYOUT_ARRAYS(BUILD, PICTURE) \
