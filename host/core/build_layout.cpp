@@ -22,8 +22,8 @@ uint64_t triangleCountOf(const BuildInfo& info) noexcept {
 
 Capacity defaultCapacity(uint32_t triangles) noexcept {
     const uint64_t n = triangles;
-    return {atMostLink(n * 7 / 2 + 4096), atMostLink(n * 3 / 2 + 4096), atMostLink(n * 10 + 4096),
-            atMostLink(n * 6 + 4096)};
+    return {atMostLink(n * 7 / 2 + 16384), atMostLink(n * 3 / 2 + 4096), atMostLink(n * 10 + 4096),
+            atMostLink(n * 8 + 4096)};
 }
 
 Capacity capacityOf(const BuildInfo& info) noexcept {
