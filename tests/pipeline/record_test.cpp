@@ -282,7 +282,7 @@ TEST(Record, WorksWithoutMappedMemory) {
     DeviceOptions options;
     options.maps = false;
     options.stagingBytes = 4096;
-    options.largestAllocation = 1 << 20;
+    options.largestAllocation = 2 << 20;
     const std::unique_ptr<Device> discrete = openTestDevice(options);
     const std::vector<Triangle> world = mixedTriangles(3000, 7);
     const std::vector<Ray> rays = mixedRays(2000, 7);
@@ -298,7 +298,7 @@ TEST(Record, WorksWithoutMappedMemory) {
     EXPECT_EQ(treeHash(readBack(*tree)),
               treeHash(readBack(*usual.build(DeviceTriangles(device(), world), BuildSettings{}).tree)));
     expectBruteForce(makeTriangleSet(world), rays, Tracer(*discrete).trace(*tree, rays).hits);
-    EXPECT_THROW(Buffer(*discrete, (1 << 20) + 1), Error);
+    EXPECT_THROW(Buffer(*discrete, (2 << 20) + 1), Error);
 }
 
 uint64_t residentBytes() {
