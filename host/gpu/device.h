@@ -68,7 +68,6 @@ class Device {
     VmaAllocator allocator() const { return allocator_.get(); }
     std::string name() const { return properties_.deviceName; }
     const VkPhysicalDeviceProperties& properties() const { return properties_; }
-    bool isCpu() const { return properties_.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU; }
     bool maps() const { return options_.maps; }
     uint32_t longestRow() const { return options_.longestRow; }
     // Bytes that one buffer may have.
