@@ -8,6 +8,8 @@
 namespace cleave {
 namespace {
 
+VkDeviceAddress addressOf(const Place& p, const Range* scratch) { return scratch[p.range].address + p.offset; }
+
 class PictureRecording {
   public:
     PictureRecording(VkCommandBuffer commands, const PictureKernels& kernels, const PictureTracing& tracing,
@@ -21,18 +23,7 @@ class PictureRecording {
           at_(pictureLayout(counts_, info.largestRange)) {}
 
     void arguments() {
-        PictureArgs a{};
-#define CLEAVE_BIND(name, Element, Array, count) a.name = address(at_.name);
-        CLEAVE_PICTURE_ARRAYS(CLEAVE_BIND)
-#undef CLEAVE_BIND
-        a.state = address(at_.state);
-        a.tree = info_.tree;
-        a.triangles = info_.triangles;
-        a.materialOf = info_.materialOf;
-        a.baseColours = info_.baseColours;
-        a.camera = info_.camera;
-        a.view = static_cast<uint32_t>(info_.view);
-        a.count = pixels();
+        const PictureArgs a = pictureArgs(info_, at_, scratch_);
         recorder_.write(scratch_[0].buffer, scratch_[0].offset + at_.args.offset, &a, sizeof(a));
         zero(0, sizeof(PictureState));
         note("arguments");
@@ -85,7 +76,7 @@ class PictureRecording {
     PictureLayout at_;
 
     uint32_t pixels() const { return static_cast<uint32_t>(counts_.pixels); }
-    VkDeviceAddress address(const Place& p) const { return scratch_[p.range].address + p.offset; }
+    VkDeviceAddress address(const Place& p) const { return addressOf(p, scratch_); }
     PicturePush push(uint32_t round) const { return {address(at_.args), round, 0}; }
     void pass(PictureKernels::Pass kernel, uint32_t round, uint32_t groups) {
         recorder_.dispatch(kernels_[kernel], push(round), groups);
@@ -114,6 +105,22 @@ class PictureRecording {
 };
 
 }  // namespace
+
+PictureArgs pictureArgs(const PictureInfo& info, const PictureLayout& at, const Range* scratch) noexcept {
+    PictureArgs a{};
+#define CLEAVE_BIND(name, Element, Array, count) a.name = addressOf(at.name, scratch);
+    CLEAVE_PICTURE_ARRAYS(CLEAVE_BIND)
+#undef CLEAVE_BIND
+    a.state = addressOf(at.state, scratch);
+    a.tree = info.tree;
+    a.triangles = info.triangles;
+    a.materialOf = info.materialOf;
+    a.baseColours = info.baseColours;
+    a.camera = info.camera;
+    a.view = static_cast<uint32_t>(info.view);
+    a.count = info.camera.width * info.camera.height;
+    return a;
+}
 
 PictureKernels::PictureKernels(const PipelineHome& home, uint32_t longestRow)
     : home_(home), row_(longestRow != 0 ? longestRow : kLongestRow) {

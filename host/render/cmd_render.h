@@ -46,6 +46,9 @@ struct PictureInfo {
     TraceMode shadowMode() const { return {Query::any, traversal, test, false}; }
 };
 
+// The arguments of a picture's kernels, which lie in `scratch` as `at` says.
+PictureArgs pictureArgs(const PictureInfo& info, const PictureLayout& at, const Range* scratch) noexcept;
+
 // The pipelines of a picture, beside those that trace.
 class PictureKernels {
   public:

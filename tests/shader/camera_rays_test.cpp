@@ -13,7 +13,7 @@ TEST(CameraRays, EqualTwinAtEverySize) {
         SCOPED_TRACE(std::to_string(size.width) + " x " + std::to_string(size.height));
         PicturePair pair(size.width, size.height, View::normals, seed++);
         const PictureArrays device = pair.onDevice(PictureKernels::camera_rays);
-        twin::cameraRays(pair.arrays, 0);
+        pair.onTwin(PictureKernels::camera_rays);
         for (size_t i = 0; i < device.rays.size(); i++)
             ASSERT_EQ(std::memcmp(&device.rays[i], &pair.arrays.rays[i], sizeof(Ray)), 0) << "ray " << i;
     }

@@ -14,9 +14,9 @@ TEST(CountHistogram, EqualsTwinAtEverySizeInEveryRound) {
             PicturePair pair(size.width, size.height, view, seed++);
             for (uint32_t round = 0; round < 4; round++) {
                 const PictureArrays device = pair.onDevice(PictureKernels::count_histogram, round);
-                twin::countHistogram(pair.arrays, round);
+                pair.onTwin(PictureKernels::count_histogram, round);
                 ASSERT_EQ(std::memcmp(&device.state, &pair.arrays.state, sizeof(PictureState)), 0) << "round " << round;
-                twin::selectCount(pair.arrays, round);
+                pair.onTwin(PictureKernels::select_count, round);
             }
         }
 }

@@ -10,7 +10,7 @@ TEST(DepthScale, EqualsTwinAtEverySize) {
         SCOPED_TRACE(std::to_string(size.width) + " x " + std::to_string(size.height));
         PicturePair pair(size.width, size.height, View::depth, seed++);
         const PictureArrays device = pair.onDevice(PictureKernels::depth_scale);
-        twin::depthScale(pair.arrays, 0);
+        pair.onTwin(PictureKernels::depth_scale);
         EXPECT_EQ(device.state.lowBits, pair.arrays.state.lowBits);
         EXPECT_EQ(device.state.highBits, pair.arrays.state.highBits);
     }

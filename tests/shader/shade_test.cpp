@@ -14,7 +14,7 @@ TEST(Shade, EqualsTwinAtEverySizeInEveryView) {
             pair.arrays.state.lowBits = ~orderedBits(0.5f);
             pair.arrays.state.highBits = orderedBits(40.0f);
             const std::vector<uint32_t> device = pair.onDevice(PictureKernels::shade).pixels;
-            twin::shade(pair.arrays, 0);
+            pair.onTwin(PictureKernels::shade);
             for (size_t i = 0; i < device.size(); i++)
                 for (uint32_t shift = 0; shift < 32; shift += 8) {
                     const int a = static_cast<int>(device[i] >> shift & 255);

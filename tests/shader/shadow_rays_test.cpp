@@ -10,7 +10,7 @@ TEST(ShadowRays, EqualTwinAtEverySize) {
         SCOPED_TRACE(std::to_string(size.width) + " x " + std::to_string(size.height));
         PicturePair pair(size.width, size.height, View::shaded, seed++);
         const std::vector<Ray> device = pair.onDevice(PictureKernels::shadow_rays).shadowRays;
-        twin::shadowRays(pair.arrays, 0);
+        pair.onTwin(PictureKernels::shadow_rays);
         const std::vector<Ray>& twin = pair.arrays.shadowRays;
         for (size_t i = 0; i < device.size(); i++) {
             // Square roots and quotients may differ by rounding between devices.

@@ -77,19 +77,14 @@ PicturePair::PicturePair(uint32_t width, uint32_t height, View view, uint32_t se
 
 PictureArrays PicturePair::onDevice(PictureKernels::Pass pass, uint32_t round) {
     Buffer& scratch = const_cast<Buffer&>(scratch_.buffer(0));
-    const auto address = [&](const Place& p) { return scratch.address() + p.offset; };
-    PictureArgs args{};
-#define CLEAVE_BIND(name, Element, Array, count) args.name = address(at_.name);
-    CLEAVE_PICTURE_ARRAYS(CLEAVE_BIND)
-#undef CLEAVE_BIND
-    args.state = address(at_.state);
-    args.tree = tree_.address();
-    args.triangles = triangles_.address();
-    args.materialOf = materialOf_.address();
-    args.baseColours = baseColours_.address();
-    args.camera = arrays.camera;
-    args.view = arrays.view;
-    args.count = static_cast<uint32_t>(arrays.rays.size());
+    PictureInfo info;
+    info.tree = tree_.address();
+    info.triangles = triangles_.address();
+    info.materialOf = materialOf_.address();
+    info.baseColours = baseColours_.address();
+    info.camera = arrays.camera;
+    info.view = static_cast<View>(arrays.view);
+    const PictureArgs args = pictureArgs(info, at_, scratch_.ranges());
     scratch.write(at_.args.offset, &args, sizeof(args));
     scratch.write(at_.state.offset, &arrays.state, sizeof(PictureState));
     const auto both = [&](auto& items, const Place& place, bool up) {
@@ -112,11 +107,20 @@ PictureArrays PicturePair::onDevice(PictureKernels::Pass pass, uint32_t round) {
     Commands commands(device());
     commands.begin();
     const uint32_t groups = pass == PictureKernels::select_count ? 1 : ceilDiv(args.count, kGroup);
-    kernels().recorder(commands.handle()).dispatch(kernels()[pass], PicturePush{address(at_.args), round, 0}, groups);
+    kernels().recorder(commands.handle()).dispatch(kernels()[pass], PicturePush{scratch.address() + at_.args.offset, round, 0}, groups);
     commands.run();
     all(false);
     scratch.read(at_.state.offset, &result.state, sizeof(PictureState));
     return result;
+}
+
+void PicturePair::onTwin(PictureKernels::Pass pass, uint32_t round) {
+    static constexpr void (*kTwins[])(PictureArrays&, uint32_t) = {
+#define CLEAVE_TWIN(kernel, twinOf) twin::twinOf,
+        CLEAVE_PICTURE_PASSES(CLEAVE_TWIN)
+#undef CLEAVE_TWIN
+    };
+    kTwins[pass](arrays, round);
 }
 
 }  // namespace cleave::test

@@ -17,6 +17,8 @@ class PicturePair {
 
     // Runs a pass on the device with the arrays as they are now; what it leaves there.
     PictureArrays onDevice(PictureKernels::Pass pass, uint32_t round = 0);
+    // Runs its twin, which changes `arrays`.
+    void onTwin(PictureKernels::Pass pass, uint32_t round = 0);
 
   private:
     Buffer triangles_, materialOf_, baseColours_, tree_;
