@@ -77,7 +77,7 @@ BuiltTree Session::build(Builder builder, uint32_t runs) {
     }
     if (built.onDevice) built.tree = readBack(*built.onDevice);
     built.ms = medianOf(built.runs);
-    built.statistics = computeStatistics(built.tree);
+    built.statistics = computeStatistics(built.tree, run_.options.settings.costs);
     built.hash = treeHash(built.tree);
     run_.progress.clear();
     return built;

@@ -44,11 +44,12 @@ std::vector<Hit> traceJudged(Run& run, Session& session, const DeviceTree& tree,
 double costPerRay(Run& run, const DeviceTree& tree, const SurveyRays& rays) {
     TraceMode counting;
     counting.countSteps = true;
+    const SahCosts costs = run.options.settings.costs;
     double cost = 0.0;
     for (const std::vector<Ray>* set : {&rays.primary, &rays.diffuse}) {
         if (set->empty()) continue;
         for (const StepCount& s : run.device.tracer().trace(tree, *set, counting).steps)
-            cost += double{kCostTraverse} * s.inner + double{kCostIntersect} * s.triangles;
+            cost += double{costs.traverse} * s.inner + double{costs.intersect} * s.triangles;
     }
     return cost / static_cast<double>(std::max<size_t>(1, rays.primary.size() + rays.diffuse.size()));
 }

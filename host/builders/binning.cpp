@@ -66,7 +66,7 @@ CLEAVE_INLINE void tryBoundaries(LaneBest& best, const Bins& counted, const Node
         sum += counted.ends(axis)[b];
         right[b - 1] = estimatedCount(sum, step, n);
     }
-    const AxisCost costs(node.cell, axis);
+    const AxisCost costs(node.costs, node.cell, axis);
     const Ints first{1, 2, 3, 4, 5, 6, 7, 8};
     for (uint32_t b = 0; b + 1 < range.count; b += kLanes) {
         const Ints bin = first + static_cast<int32_t>(b);
@@ -111,8 +111,8 @@ CLEAVE_CLONES Split bestBoundary(const Bins& counted, const NodeToSplit& node, u
         if (isResolved(counted.range[axis])) tryBoundaries(lanes, counted, node, axis, step);
     Split best = bestOf(lanes);
     for (uint32_t axis = 0; axis < 3; ++axis) {
-        best = betterOf(best, node.cell, axis, counted.range[axis].lo, 0, n, 0);
-        best = betterOf(best, node.cell, axis, counted.range[axis].hi, n, 0, 1);
+        best = betterOf(best, node.costs, node.cell, axis, counted.range[axis].lo, 0, n, 0);
+        best = betterOf(best, node.costs, node.cell, axis, counted.range[axis].hi, n, 0, 1);
     }
     return best;
 }

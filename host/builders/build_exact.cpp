@@ -33,7 +33,7 @@ class ScanChooser {
         report_.eventsSwept += eventCount(node.refs);
         const Split best = bestFace(node, kAllAxes);
         const auto count = static_cast<uint32_t>(node.refs.size());
-        return isWorthwhile(best, node.cell, count, node.depth, maxDepth_) ? best : noSplit();
+        return isWorthwhile(node.costs, best, node.cell, count, node.depth, maxDepth_) ? best : noSplit();
     }
 
   private:
@@ -54,7 +54,7 @@ class ExactPart {
     ExactPart(const ExactPart&) = delete;  // the chooser holds the report's address
 
     void buildNode(uint32_t index, EventNode node) {
-        if (node.count <= kScanUpTo) return graft(tree_, index, small_.buildSubtree(node.toSplit()));
+        if (node.count <= kScanUpTo) return graft(tree_, index, small_.buildSubtree(node.toSplit(build_.costs)));
         const Split split = choose(node);
         if (split.axis == kLeafAxis) return makeLeaf(index, node);
 
@@ -75,13 +75,14 @@ class ExactPart {
         if (node.depth >= build_.maxDepth || collapsedAxes(node.cell) >= 2) return noSplit();
         Split best[3];
         forEachAxis(build_, node.count, [&](int axis) {
-            best[axis] =
-                sweepEvents(noSplit(), node.alongAxis[axis], node.cell, static_cast<uint32_t>(axis), node.count);
+            best[axis] = sweepEvents(noSplit(), build_.costs, node.alongAxis[axis], node.cell,
+                                     static_cast<uint32_t>(axis), node.count);
         });
         for (const std::span<Event>& events : node.alongAxis) report_.eventsSwept += events.size();
         for (const Split& split : {best[1], best[2]})
             if (isBetter(split, best[0])) best[0] = split;
-        return isWorthwhile(best[0], node.cell, node.count, node.depth, build_.maxDepth) ? best[0] : noSplit();
+        return isWorthwhile(build_.costs, best[0], node.cell, node.count, node.depth, build_.maxDepth) ? best[0]
+                                                                                                       : noSplit();
     }
 
     void buildAtOnce(uint32_t child, Children children) {
@@ -109,7 +110,8 @@ class ExactPart {
 
 KdTree buildExact(const TriangleSet& set, const BuildSettings& settings, BuildReport* asked) {
     BuildReport report;
-    EventBuild build{set, settings.clip, depthLimit(settings, set.included.size()), settings.threads > 1, {}};
+    EventBuild build{
+        set, settings.costs, settings.clip, depthLimit(settings, set.included.size()), settings.threads > 1, {}};
     ExactPart whole(build, settings);
     const auto run = [&] {
         BuildReport ofRoot;

@@ -16,9 +16,9 @@ Split SweepChooser::operator()(const NodeToSplit& node) {
         sortEvents(events, scratch_.data());
         report_.eventsSwept += events.size();
         report_.sortSteps += sortSteps(events.size());
-        best = sweepEvents(best, events, node.cell, axis, count);
+        best = sweepEvents(best, node.costs, events, node.cell, axis, count);
     }
-    return isWorthwhile(best, node.cell, count, node.depth, maxDepth_) ? best : noSplit();
+    return isWorthwhile(node.costs, best, node.cell, count, node.depth, maxDepth_) ? best : noSplit();
 }
 
 KdTree buildExactNLog2N(const TriangleSet& set, const BuildSettings& settings, BuildReport* report) {

@@ -44,7 +44,8 @@ class SampleChooser {
 
   private:
     bool isWorthwhile(const NodeToSplit& node, const Split& split) const {
-        return cleave::isWorthwhile(split, node.cell, static_cast<uint32_t>(node.refs.size()), node.depth, maxDepth_);
+        return cleave::isWorthwhile(node.costs, split, node.cell, static_cast<uint32_t>(node.refs.size()), node.depth,
+                                    maxDepth_);
     }
 
     static std::array<uint32_t, 3> longestFirst(const Box& cell) {
@@ -64,8 +65,9 @@ class SampleChooser {
         gatherFaces(faces_, node, axis);
         const auto n = static_cast<uint32_t>(node.refs.size());
         Split best = noSplit();
-        best = betterOf(best, node.cell, axis, faces_.from, 0, n, 0);  // empty space below the boxes or above them
-        best = betterOf(best, node.cell, axis, faces_.to, n, 0, 1);
+        best = betterOf(best, node.costs, node.cell, axis, faces_.from, 0, n,
+                        0);  // empty space below the boxes or above them
+        best = betterOf(best, node.costs, node.cell, axis, faces_.to, n, 0, 1);
         if (!(faces_.from < faces_.to)) return best;
         takeAdaptiveSamples(faces_.extents(node), faces_.from, faces_.to, kSamples, samples_);
         Valley deepest{faces_.from, infinity()};

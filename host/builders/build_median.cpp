@@ -39,7 +39,7 @@ Split splitAt(const NodeToSplit& node, uint32_t axis, float position) {
         right += hi > position ? 1u : 0u;
         planar += lo == position && hi == position ? 1u : 0u;
     }
-    return betterOfBothSides(noSplit(), node.cell, axis, position, left, right, planar);
+    return betterOfBothSides(noSplit(), node.costs, node.cell, axis, position, left, right, planar);
 }
 
 template <class Median>

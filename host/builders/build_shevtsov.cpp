@@ -19,7 +19,7 @@ class BinnedChooser {
     Split operator()(const NodeToSplit& node) {
         const auto n = static_cast<uint32_t>(node.refs.size());
         const Split best = n <= bins_ ? bestFace(node, kAllAxes) : binned(node, n);
-        return isWorthwhile(best, node.cell, n, node.depth, maxDepth_) ? best : noSplit();
+        return isWorthwhile(node.costs, best, node.cell, n, node.depth, maxDepth_) ? best : noSplit();
     }
 
   private:

@@ -22,12 +22,13 @@ struct EventNode {
     std::span<Event> alongAxis[3];  // the parts, as far as they are filled
 
     std::span<const ClippedRef> references() const { return {refs.data(), count}; }
-    NodeToSplit toSplit() const { return {references(), cell, depth}; }
+    NodeToSplit toSplit(SahCosts costs) const { return {references(), cell, depth, costs}; }
 };
 
 // State that all threads of one build share.
 struct EventBuild {
     const TriangleSet& set;
+    const SahCosts costs;
     const bool clip;
     const uint32_t maxDepth;
     const bool parallel;

@@ -24,7 +24,7 @@ void countingPass(std::span<const Event> from, Event* to, uint32_t shift) {
 
 // The axis as a constant lets the compiler keep what does not change along it in registers.
 template <uint32_t axis>
-Split sweepAlong(Split best, std::span<const Event> events, const Box& cell, uint32_t count) {
+Split sweepAlong(Split best, SahCosts costs, std::span<const Event> events, const Box& cell, uint32_t count) {
     // Numbers of references that begin below the current position, begin at most there, end above it, and lie in it.
     uint32_t left = 0, begun = 0, right = count, lying = 0;
     for (size_t i = 0; i < events.size(); ++i) {
@@ -34,7 +34,7 @@ Split sweepAlong(Split best, std::span<const Event> events, const Box& cell, uin
         lying += kind == EventKind::planar ? 1u : 0u;
         const uint32_t key = eventKey(events[i]);
         if (i + 1 < events.size() && eventKey(events[i + 1]) == key) continue;
-        best = betterOfBothSides(best, cell, axis, fromOrderedBits(key), left, right, lying);
+        best = betterOfBothSides(best, costs, cell, axis, fromOrderedBits(key), left, right, lying);
         left = begun;
         lying = 0;
     }
@@ -58,10 +58,11 @@ void sortEvents(std::span<Event> events, Event* scratch) {
     std::copy(moved.begin(), moved.end(), events.begin());
 }
 
-Split sweepEvents(Split best, std::span<const Event> events, const Box& cell, uint32_t axis, uint32_t count) {
-    if (axis == 0) return sweepAlong<0>(best, events, cell, count);
-    if (axis == 1) return sweepAlong<1>(best, events, cell, count);
-    return sweepAlong<2>(best, events, cell, count);
+Split sweepEvents(Split best, SahCosts costs, std::span<const Event> events, const Box& cell, uint32_t axis,
+                  uint32_t count) {
+    if (axis == 0) return sweepAlong<0>(best, costs, events, cell, count);
+    if (axis == 1) return sweepAlong<1>(best, costs, events, cell, count);
+    return sweepAlong<2>(best, costs, events, cell, count);
 }
 
 }  // namespace cleave

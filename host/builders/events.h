@@ -46,6 +46,7 @@ void sortEvents(std::span<Event> events, Event* scratch);
 inline uint64_t sortSteps(size_t n) { return n * static_cast<uint64_t>(std::bit_width(n)); }
 
 // The better of `best` and the planes at the events of one axis, for a node of `count` references.
-Split sweepEvents(Split best, std::span<const Event> events, const Box& cell, uint32_t axis, uint32_t count);
+Split sweepEvents(Split best, SahCosts costs, std::span<const Event> events, const Box& cell, uint32_t axis,
+                  uint32_t count);
 
 }  // namespace cleave

@@ -26,8 +26,9 @@ CLEAVE_INLINE void gather(Faces (&faces)[3], std::span<const ClippedRef> refs) {
         }
 }
 
-CLEAVE_INLINE void scanAlong(LaneBest& best, const Faces& faces, size_t n, const Box& cell, uint32_t axis) {
-    const AxisCost costs(cell, axis);
+CLEAVE_INLINE void scanAlong(LaneBest& best, const Faces& faces, const NodeToSplit& node, uint32_t axis) {
+    const size_t n = node.refs.size();
+    const AxisCost costs(node.costs, node.cell, axis);
     const Floats none = Floats{} + infinity();
     for (size_t first = 0; first < 2 * n; first += kLanes) {
         const Floats x = loadFloats(faces.at + first);
@@ -57,7 +58,7 @@ CLEAVE_CLONES Split bestFace(const NodeToSplit& node, uint32_t axes) {
     Faces faces[3];
     gather(faces, node.refs);
     for (uint32_t axis = 0; axis < 3; ++axis)
-        if ((axes & onlyAxis(axis)) != 0) scanAlong(lanes, faces[axis], node.refs.size(), node.cell, axis);
+        if ((axes & onlyAxis(axis)) != 0) scanAlong(lanes, faces[axis], node, axis);
     return bestOf(lanes);
 }
 

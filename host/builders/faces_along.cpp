@@ -66,8 +66,9 @@ CLEAVE_CLONES Split bestNear(const FacesAlong& faces, const NodeToSplit& node, f
     }
     Split best = noSplit();
     for (int k = 0; k < 3; ++k)
-        best = betterOfBothSides(best, node.cell, faces.axis, planes[k], static_cast<uint32_t>(sumOf(left[k])),
-                                 static_cast<uint32_t>(sumOf(right[k])), static_cast<uint32_t>(sumOf(planar[k])));
+        best =
+            betterOfBothSides(best, node.costs, node.cell, faces.axis, planes[k], static_cast<uint32_t>(sumOf(left[k])),
+                              static_cast<uint32_t>(sumOf(right[k])), static_cast<uint32_t>(sumOf(planar[k])));
     return best;
 }
 

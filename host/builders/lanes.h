@@ -46,15 +46,16 @@ CLEAVE_INLINE float lowestOf(Floats x) {
 
 // splitCost of shared/sah.h, operation by operation, with what does not change along an axis kept.
 struct AxisCost {
-    float lo, hi, face, rim, start;
+    float lo, hi, face, rim, start, intersect;
 
-    CLEAVE_INLINE AxisCost(const Box& cell, uint32_t axis)
+    CLEAVE_INLINE AxisCost(SahCosts sah, const Box& cell, uint32_t axis)
         : lo(cell.lo[static_cast<int>(axis)]), hi(cell.hi[static_cast<int>(axis)]) {
         const vec3 e = cell.hi - cell.lo;
         const float a = axis == 0 ? e.y : e.x, b = axis == 2 ? e.y : e.z;
         face = cleave::flushed(a * b);
         rim = a + b;
-        start = kCostTraverse * (cleave::flushed(rim * e[static_cast<int>(axis)]) + face);
+        intersect = sah.intersect;
+        start = sah.traverse * (cleave::flushed(rim * e[static_cast<int>(axis)]) + face);
     }
 
     CLEAVE_INLINE Floats at(Floats position, Ints left, Ints right) const {
@@ -62,7 +63,7 @@ struct AxisCost {
         const Floats rightArea = flushed(rim * (hi - position)) + face;
         const Floats both =
             leftArea * __builtin_convertvector(left, Floats) + rightArea * __builtin_convertvector(right, Floats);
-        const Floats cost = start + kCostIntersect * both;
+        const Floats cost = start + intersect * both;
         return (left == 0) | (right == 0) ? kEmptyBonus * cost : cost;
     }
 

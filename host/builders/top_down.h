@@ -20,6 +20,7 @@ class TopDownBuilder {
     TopDownBuilder(const TriangleSet& set, const BuildSettings& settings, ChooseSplit chooseSplit, ByteCount& bytes)
         : set_(set),
           bytes_(bytes),
+          costs_(settings.costs),
           clip_(settings.clip),
           maxDepth_(depthLimit(settings, set.included.size())),
           chooseSplit_(std::move(chooseSplit)) {}
@@ -64,7 +65,7 @@ class TopDownBuilder {
     void buildNode(uint32_t index, const Box& cell, uint32_t depth, size_t begin, size_t end) {
         Split split = noSplit();
         if (end > begin && depth < maxDepth_ && collapsedAxes(cell) < 2)
-            split = chooseSplit_(NodeToSplit{{pool_.data() + begin, end - begin}, cell, depth});
+            split = chooseSplit_(NodeToSplit{{pool_.data() + begin, end - begin}, cell, depth, costs_});
         if (split.axis == kLeafAxis) return makeLeaf(index, begin, end);
 
         const uint32_t child = appendChildren(tree_);
@@ -93,6 +94,7 @@ class TopDownBuilder {
 
     const TriangleSet& set_;
     ByteCount& bytes_;
+    const SahCosts costs_;
     const bool clip_;
     const uint32_t maxDepth_;
     ChooseSplit chooseSplit_;

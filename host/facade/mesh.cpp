@@ -24,7 +24,10 @@ cleave::BuildSettings settingsOf(const BuildSettings& from) {
     requireWithin("bins", from.bins, 2, kBins);
     requireWithin("exactUpTo", from.exactUpTo, 0, kMostExactUpTo);
     requireWithin("maxDepth", from.maxDepth, 0, kMaxDepth);
+    for (const float cost : {from.costTraverse, from.costIntersect})
+        if (!(cost >= kLeastCost && cost <= kMostCost)) throw Error("costs of the SAH are from 0.001 to 1000");
     cleave::BuildSettings s;
+    s.costs = {from.costTraverse, from.costIntersect};
     s.bins = from.bins;
     s.exactUpTo = from.exactUpTo;
     s.maxDepth = from.maxDepth;

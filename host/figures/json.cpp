@@ -18,6 +18,8 @@ Json buildJson(const BuiltTree& built) {
             {"runsMs", built.runs},
             {"setupMs", numberJson(built.setupMs)},
             {"sahCost", numberJson(s.sahCost)},
+            {"costTraverse", s.costs.traverse},
+            {"costIntersect", s.costs.intersect},
             {"treeHash", built.hash},
             {"nodes", s.nodes},
             {"leaves", s.leaves},

@@ -34,7 +34,7 @@ uint32_t countWithin(const std::vector<float>& values, float lo, float hi) {
 }
 
 // The best of all faces; kLeafAxis if none lies strictly inside the cell.
-Split bestSplit(const Box& cell, std::span<const ClippedRef> refs) {
+Split bestSplit(SahCosts costs, const Box& cell, std::span<const ClippedRef> refs) {
     Split best = noSplit();
     for (uint32_t axis = 0; axis < 3; ++axis) {
         const Faces faces(refs, static_cast<int>(axis));
@@ -43,7 +43,7 @@ Split bestSplit(const Box& cell, std::span<const ClippedRef> refs) {
             const uint32_t planar = countWithin(faces.planes, position, position);
             const uint32_t left = count - countWithin(faces.los, position, infinity());
             const uint32_t right = count - countWithin(faces.his, -infinity(), position);
-            best = betterOfBothSides(best, cell, axis, position, left, right, planar);
+            best = betterOfBothSides(best, costs, cell, axis, position, left, right, planar);
         };
         for (const float face : faces.los) consider(face);
         for (const float face : faces.his) consider(face);
@@ -60,7 +60,11 @@ bool areIdentical(std::span<const ClippedRef> refs) {
 class Walk {
   public:
     Walk(const KdTree& tree, const TriangleSet& set, const BuildSettings& settings)
-        : tree_(tree), set_(set), clip_(settings.clip), maxDepth_(depthLimit(settings, set.included.size())) {}
+        : tree_(tree),
+          set_(set),
+          costs_(settings.costs),
+          clip_(settings.clip),
+          maxDepth_(depthLimit(settings, set.included.size())) {}
 
     LeafReasons count() {
         Refs refs;
@@ -115,14 +119,15 @@ class Walk {
         if (refs.empty()) return reasons_.empty;
         if (depth >= maxDepth_) return reasons_.depthLimit;
         if (collapsedAxes(cell) > 1) return reasons_.collapsedAxes;
-        const Split best = bestSplit(cell, refs);
+        const Split best = bestSplit(costs_, cell, refs);
         if (best.axis == kLeafAxis) return areIdentical(refs) ? reasons_.identicalBoxes : reasons_.noPlane;
         const auto count = static_cast<uint32_t>(refs.size());
-        return isWorthwhile(best, cell, count, depth, maxDepth_) ? reasons_.wouldPay : reasons_.cost;
+        return isWorthwhile(costs_, best, cell, count, depth, maxDepth_) ? reasons_.wouldPay : reasons_.cost;
     }
 
     const KdTree& tree_;
     const TriangleSet& set_;
+    const SahCosts costs_;
     const bool clip_;
     const uint32_t maxDepth_;
     LeafReasons reasons_;

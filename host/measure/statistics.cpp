@@ -49,8 +49,9 @@ AreaSums sumAreas(const KdTree& tree, TreeStatistics& s) {
 
 }  // namespace
 
-TreeStatistics computeStatistics(const KdTree& tree) {
+TreeStatistics computeStatistics(const KdTree& tree, SahCosts costs) {
     TreeStatistics s;
+    s.costs = costs;
     s.nodes = tree.nodes.size();
     s.leafHistogram.assign(kHistogramSize, 0);
     const AreaSums sums = sumAreas(tree, s);
@@ -59,7 +60,7 @@ TreeStatistics computeStatistics(const KdTree& tree) {
         s.expectedInner = sums.inner / rootArea;
         s.expectedLeaves = sums.leaves / rootArea;
         s.expectedTriangles = sums.triangles / rootArea;
-        s.sahCost = double{kCostTraverse} * *s.expectedInner + double{kCostIntersect} * *s.expectedTriangles;
+        s.sahCost = double{costs.traverse} * *s.expectedInner + double{costs.intersect} * *s.expectedTriangles;
     }
     return s;
 }

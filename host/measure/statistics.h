@@ -18,12 +18,13 @@ struct TreeStatistics {
     uint32_t largestLeaf = 0;
     std::vector<uint64_t> leafHistogram;  // [n]: leaves with n triangles, the last entry: that many or more
     // Survey section 4, for a uniformly distributed line that meets the root box; null if that box has no area.
-    std::optional<double> sahCost;  // costTraverse inner + costIntersect triangles
+    SahCosts costs = kDefaultCosts;
+    std::optional<double> sahCost;  // costs.traverse inner + costs.intersect triangles
     std::optional<double> expectedInner;
     std::optional<double> expectedLeaves;
     std::optional<double> expectedTriangles;
 };
 
-TreeStatistics computeStatistics(const KdTree& tree);
+TreeStatistics computeStatistics(const KdTree& tree, SahCosts costs = kDefaultCosts);
 
 }  // namespace cleave

@@ -12,6 +12,8 @@ namespace cleave {
 
 inline BuildInfo buildInfo(const BuildSettings& settings) {
     BuildInfo info;
+    info.costTraverse = settings.costs.traverse;
+    info.costIntersect = settings.costs.intersect;
     info.bins = settings.bins;
     info.exactUpTo = settings.exactUpTo;
     info.maxDepth = settings.maxDepth;

@@ -32,6 +32,7 @@ struct NodeToSplit {
     std::span<const ClippedRef> refs;
     Box cell;
     uint32_t depth;
+    SahCosts costs = kDefaultCosts;
 };
 
 inline ClippedRef wholeTriangle(const TriangleSet& set, uint32_t prim) {

@@ -24,6 +24,7 @@ enum class AxisChoice { all, widest, cycle };
 
 // Settings that shape a tree. A builder ignores those that it has no use for.
 struct BuildSettings {
+    SahCosts costs = kDefaultCosts;       // positive, finite
     uint32_t bins = kBins;                // per axis, 2 to 32
     uint32_t exactUpTo = kExactUpTo;      // exact SAH in nodes of at most so many references, up to kMostExactUpTo
     uint32_t maxDepth = 0;                // deepest leaf, at most kMaxDepth; 0: round(8 + 1.3 log2 N)

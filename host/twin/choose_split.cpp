@@ -11,16 +11,16 @@ Split bestBoundary(const BuildArrays& a, const BuildNode& node) {
         const BinRange range = rangeOf(a, node.chunk, axis);
         const uint32_t* starts = &a.bins[node.chunk * kBinWords + 2 * axis * kBins];
         const uint32_t* ends = starts + kBins;
-        best = betterOf(best, node.cell, axis, range.lo, 0, node.count, 0);
-        best = betterOf(best, node.cell, axis, range.hi, node.count, 0, 1);
+        best = betterOf(best, a.args.costs, node.cell, axis, range.lo, 0, node.count, 0);
+        best = betterOf(best, a.args.costs, node.cell, axis, range.hi, node.count, 0, 1);
         if (!isResolved(range)) continue;
         for (uint32_t b = 1; b < range.count; b++) {
             uint32_t left = 0;
             uint32_t right = 0;
             for (uint32_t k = 0; k < b; k++) left += starts[k];
             for (uint32_t k = b; k < range.count; k++) right += ends[k];
-            best = betterOf(best, node.cell, axis, binPlane(range, b), estimatedCount(left, step, node.count),
-                            estimatedCount(right, step, node.count), 1);
+            best = betterOf(best, a.args.costs, node.cell, axis, binPlane(range, b),
+                            estimatedCount(left, step, node.count), estimatedCount(right, step, node.count), 1);
         }
     }
     return best;

@@ -4,7 +4,7 @@ namespace cleave::twin {
 
 namespace {
 
-Split bestFace(const PrimRef* refs, const BuildNode& node) {
+Split bestFace(SahCosts costs, const PrimRef* refs, const BuildNode& node) {
     Split best = noSplit();
     for (uint32_t axis = 0; axis < 3; axis++) {
         const int k = static_cast<int>(axis);
@@ -18,7 +18,7 @@ Split bestFace(const PrimRef* refs, const BuildNode& node) {
                 right += refs[j].hi[k] > plane;
                 planar += refs[j].lo[k] == plane && refs[j].hi[k] == plane;
             }
-            best = betterOfBothSides(best, node.cell, axis, plane, left, right, planar);
+            best = betterOfBothSides(best, costs, node.cell, axis, plane, left, right, planar);
         }
     }
     return best;
@@ -29,8 +29,8 @@ Split bestFace(const PrimRef* refs, const BuildNode& node) {
 void exactSplit(BuildArrays& a, uint32_t depth) {
     for (uint32_t s = 0; s < a.state.level[depth].smallCount; s++) {
         BuildNode& node = a.nodesIn(depth)[a.smallNodes[s]];
-        const Split best = bestFace(&a.refsIn(depth)[node.first], node);
-        if (isWorthwhile(best, node.cell, node.count, depth, a.state.maxDepth)) node.split = best;
+        const Split best = bestFace(a.args.costs, &a.refsIn(depth)[node.first], node);
+        if (isWorthwhile(a.args.costs, best, node.cell, node.count, depth, a.state.maxDepth)) node.split = best;
     }
 }
 

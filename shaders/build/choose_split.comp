@@ -18,15 +18,15 @@ void main() {
         BinRange range = rangeOf(c, axis);
         uint counters = c * kBinWords + 2u * axis * kBins;
         // The ends of the range cut off empty space; what lies flat in them stays with the rest.
-        best = betterOf(best, node.cell, axis, range.lo, 0u, node.count, 0u);
-        best = betterOf(best, node.cell, axis, range.hi, node.count, 0u, 1u);
+        best = betterOf(best, args.costs, node.cell, axis, range.lo, 0u, node.count, 0u);
+        best = betterOf(best, args.costs, node.cell, axis, range.hi, node.count, 0u, 1u);
         if (!isResolved(range)) continue;
         uint left = 0u;
         uint right = ceilDiv(node.count, step);
         for (uint b = 1u; b < range.count; b++) {
             left += args.bins.at[counters + b - 1u];
             right -= args.bins.at[counters + kBins + b - 1u];
-            best = betterOf(best, node.cell, axis, binPlane(range, b), estimatedCount(left, step, node.count),
+            best = betterOf(best, args.costs, node.cell, axis, binPlane(range, b), estimatedCount(left, step, node.count),
                             estimatedCount(right, step, node.count), 1u);
         }
     }

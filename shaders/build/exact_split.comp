@@ -38,8 +38,8 @@ void main() {
             hiPlanar += isFlat * uvec3(equal(o.lo, r.hi));
         }
         for (uint axis = 0u; axis < 3u; axis++) {
-            best = betterOfBothSides(best, node.cell, axis, r.lo[axis], loLeft[axis], loRight[axis], loPlanar[axis]);
-            best = betterOfBothSides(best, node.cell, axis, r.hi[axis], hiLeft[axis], hiRight[axis], hiPlanar[axis]);
+            best = betterOfBothSides(best, args.costs, node.cell, axis, r.lo[axis], loLeft[axis], loRight[axis], loPlanar[axis]);
+            best = betterOfBothSides(best, args.costs, node.cell, axis, r.hi[axis], hiLeft[axis], hiRight[axis], hiPlanar[axis]);
         }
     }
     bests[gl_LocalInvocationID.x] = best;
@@ -49,5 +49,5 @@ void main() {
     for (uint k = 1u; k < entries; k++) {
         if (isBetter(bests[k], best)) best = bests[k];
     }
-    if (isWorthwhile(best, node.cell, node.count, push.depth, args.state.at.maxDepth)) nodes.at[n].split = best;
+    if (isWorthwhile(args.costs, best, node.cell, node.count, push.depth, args.state.at.maxDepth)) nodes.at[n].split = best;
 }

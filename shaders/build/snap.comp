@@ -13,7 +13,7 @@ void main() {
     BuildNodeArray nodes = nodesIn();
     BuildNode node = nodes.at[n];
     if (node.chunk != c || node.split.axis == kLeafAxis) return;
-    Split best = snapped(node.split, node.cell, args.nearest.at[c]);
-    bool keep = isWorthwhile(best, node.cell, node.count, push.depth, args.state.at.maxDepth);
+    Split best = snapped(args.costs, node.split, node.cell, args.nearest.at[c]);
+    bool keep = isWorthwhile(args.costs, best, node.cell, node.count, push.depth, args.state.at.maxDepth);
     nodes.at[n].split = keep ? best : noSplit();
 }

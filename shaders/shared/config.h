@@ -5,9 +5,22 @@
 
 CLEAVE_BEGIN
 
-// Cost model of every builder that uses the surface area heuristic (Wald and Havran 2006).
+// Costs of the surface area heuristic, for every builder that uses it: of an inner node and of a triangle test. Wald
+// and Havran's (2006) by default.
+struct SahCosts {
+    float traverse;
+    float intersect;
+};
+CLEAVE_SIZE(SahCosts, 8);
+CLEAVE_CONST float kLeastCost = 0.001f;
+CLEAVE_CONST float kMostCost = 1000.0f;
 CLEAVE_CONST float kCostTraverse = 15.0f;
 CLEAVE_CONST float kCostIntersect = 20.0f;
+
+#ifdef __cplusplus
+constexpr SahCosts kDefaultCosts{kCostTraverse, kCostIntersect};
+#endif
+
 CLEAVE_CONST float kEmptyBonus = 0.8f;  // multiplies the cost of a split that leaves a side empty
 
 // Greatest depth of a leaf. The restart trail has one bit per level of inner nodes in two words, and needs a spare one.

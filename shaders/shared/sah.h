@@ -1,5 +1,5 @@
-// The surface area heuristic (survey, section 4; constants of Wald and Havran 2006), one text for GPU, twin and exact
-// builder. Costs are multiplied out by the node's area, since division differs between devices:
+// The surface area heuristic (survey, section 4), one text for GPU, twin and exact builder. Costs are multiplied out by
+// the node's area, since division differs between devices:
 //   cost * area = costTraverse area + costIntersect (area_L n_L + area_R n_R)
 #ifndef CLEAVE_SHARED_SAH_H
 #define CLEAVE_SHARED_SAH_H
@@ -37,14 +37,14 @@ CLEAVE_FN float halfArea(vec3 e) {
     return area;
 }
 
-CLEAVE_FN float leafCost(Box cell, uint count) {
+CLEAVE_FN float leafCost(SahCosts costs, Box cell, uint count) {
     precise float area = halfArea(cell.hi - cell.lo);
-    precise float cost = kCostIntersect * float(count) * area;
+    precise float cost = costs.intersect * float(count) * area;
     return cost;
 }
 
 // A child shares the extents a, b across the split axis, so half its surface is a b + (a + b) length.
-CLEAVE_FN float splitCost(Box cell, uint axis, float position, uint leftCount, uint rightCount) {
+CLEAVE_FN float splitCost(SahCosts costs, Box cell, uint axis, float position, uint leftCount, uint rightCount) {
     vec3 e = cell.hi - cell.lo;
     float a = axis == 0u ? e.y : e.x;
     float b = axis == 2u ? e.y : e.z;
@@ -57,8 +57,8 @@ CLEAVE_FN float splitCost(Box cell, uint axis, float position, uint leftCount, u
     left = (left + face) * float(leftCount);
     right = (right + face) * float(rightCount);
     precise float both = left + right;
-    precise float cost = kCostIntersect * both;
-    precise float start = kCostTraverse * whole;
+    precise float cost = costs.intersect * both;
+    precise float start = costs.traverse * whole;
     cost = start + cost;
     if (leftCount == 0u || rightCount == 0u) cost = kEmptyBonus * cost;
     return cost;
@@ -73,29 +73,30 @@ CLEAVE_FN bool isBetter(Split a, Split b) {
 }
 
 // The better of `best` and one candidate; its plane must lie strictly inside the cell.
-CLEAVE_FN Split betterOf(Split best, Box cell, uint axis, float position, uint leftCount, uint rightCount,
-                         uint planarLeft) {
+CLEAVE_FN Split betterOf(Split best, SahCosts costs, Box cell, uint axis, float position, uint leftCount,
+                         uint rightCount, uint planarLeft) {
     if (!(cell.lo[axis] < position && position < cell.hi[axis])) return best;
     Split s;
     s.axis = axis;
     s.position = position;
     s.planarLeft = planarLeft;
-    s.cost = splitCost(cell, axis, position, leftCount, rightCount);
+    s.cost = splitCost(costs, cell, axis, position, leftCount, rightCount);
     if (isBetter(s, best)) return s;
     return best;
 }
 
 // The better of `best` and a plane at `position`. `left` references begin below it, `right` end above it and `planar`
 // lie in it; these are tried on either side.
-CLEAVE_FN Split betterOfBothSides(Split best, Box cell, uint axis, float position, uint left, uint right, uint planar) {
-    best = betterOf(best, cell, axis, position, left + planar, right, 1u);
-    if (planar > 0u) best = betterOf(best, cell, axis, position, left, right + planar, 0u);
+CLEAVE_FN Split betterOfBothSides(Split best, SahCosts costs, Box cell, uint axis, float position, uint left,
+                                  uint right, uint planar) {
+    best = betterOf(best, costs, cell, axis, position, left + planar, right, 1u);
+    if (planar > 0u) best = betterOf(best, costs, cell, axis, position, left, right + planar, 0u);
     return best;
 }
 
 // A node is split iff that costs less than its triangles. `depth` is the node's own.
-CLEAVE_FN bool isWorthwhile(Split s, Box cell, uint count, uint depth, uint maxDepth) {
-    return depth < maxDepth && collapsedAxes(cell) < 2u && s.cost < leafCost(cell, count);
+CLEAVE_FN bool isWorthwhile(SahCosts costs, Split s, Box cell, uint count, uint depth, uint maxDepth) {
+    return depth < maxDepth && collapsedAxes(cell) < 2u && s.cost < leafCost(costs, cell, count);
 }
 
 // Where a reference goes: bit 0 left, bit 1 right. The only place that decides it, by comparing floats.

@@ -96,14 +96,14 @@ TEST(Binning, FindsTheBestBoundary) {
         Split expected = noSplit();
         for (uint32_t axis = 0; axis < 3; ++axis) {
             const BinRange& range = counted.range[axis];
-            expected = betterOf(expected, node.cell, axis, range.lo, 0, n, 0);
-            expected = betterOf(expected, node.cell, axis, range.hi, n, 0, 1);
+            expected = betterOf(expected, kDefaultCosts, node.cell, axis, range.lo, 0, n, 0);
+            expected = betterOf(expected, kDefaultCosts, node.cell, axis, range.hi, n, 0, 1);
             for (uint32_t b = 1; b < bins && isResolved(range); ++b) {
                 uint32_t left = 0, right = 0;
                 for (uint32_t k = 0; k < b; ++k) left += counted.starts(axis)[k];
                 for (uint32_t k = b; k < bins; ++k) right += counted.ends(axis)[k];
-                expected = betterOf(expected, node.cell, axis, binPlane(range, b), estimatedCount(left, step, n),
-                                    estimatedCount(right, step, n), 1);
+                expected = betterOf(expected, kDefaultCosts, node.cell, axis, binPlane(range, b),
+                                    estimatedCount(left, step, n), estimatedCount(right, step, n), 1);
             }
         }
         expectSame(bestBoundary(counted, node, step), expected);
@@ -119,7 +119,7 @@ Split betterAt(const Split& best, const NodeToSplit& node, uint32_t axis, float 
         right += ref.box.hi[a] > plane;
         planar += ref.box.lo[a] == plane && ref.box.hi[a] == plane;
     }
-    return betterOfBothSides(best, node.cell, axis, plane, left, right, planar);
+    return betterOfBothSides(best, kDefaultCosts, node.cell, axis, plane, left, right, planar);
 }
 
 TEST(FacesAlong, MovesAPlaneToTheBetterFaceBesideIt) {

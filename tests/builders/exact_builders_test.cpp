@@ -163,9 +163,10 @@ TEST(Events, SweepFindsTheBestOfAllFaces) {
                     right += box.hi[a] > position;
                     faces += box.lo[a] == position || box.hi[a] == position;
                 }
-                if (faces > 0) expected = betterOfBothSides(expected, cell, axis, position, left, right, planar);
+                if (faces > 0)
+                    expected = betterOfBothSides(expected, kDefaultCosts, cell, axis, position, left, right, planar);
             }
-            const Split found = sweepEvents(noSplit(), filled, cell, axis, count);
+            const Split found = sweepEvents(noSplit(), kDefaultCosts, filled, cell, axis, count);
             EXPECT_EQ(found.cost, expected.cost);
             EXPECT_EQ(found.axis, expected.axis);
             EXPECT_EQ(found.position, expected.position);

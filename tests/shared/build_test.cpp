@@ -170,7 +170,7 @@ float costAt(const std::vector<Interval>& refs, float plane, uint planarLeft) {
         left += side & kLeft;
         right += (side & kRight) >> 1;
     }
-    return splitCost(kCell, 0u, plane, left, right);
+    return splitCost(kDefaultCosts, kCell, 0u, plane, left, right);
 }
 
 // floor(log10 n), but 1 where that is 0; by hand at the thresholds.
@@ -208,7 +208,7 @@ TEST(Build, snappingNeverCostsMore) {
         const Split first{costAt(refs, plane, 1u), 0u, plane, 1u};
         NearestFaces f = noFaces();
         for (const auto& r : refs) f = including(f, r.lo, r.hi, plane);
-        const Split s = snapped(first, kCell, f);
+        const Split s = snapped(kDefaultCosts, first, kCell, f);
         ASSERT_LE(costAt(refs, s.position, s.planarLeft), s.cost) << "seed " << seed;
         ASSERT_LE(s.cost, first.cost) << "seed " << seed;
         moved += s.position != plane ? 1 : 0;

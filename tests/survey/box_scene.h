@@ -20,7 +20,7 @@ inline Split sweep(const BoxScene& scene, int axis) {
     for (uint32_t i = 0; i < scene.boxes.size(); ++i) end = writeEvents(end, scene.boxes[i], axis, i);
     const std::span<Event> filled(events.data(), end);
     sortEvents(filled, scratch.data());
-    return sweepEvents(noSplit(), filled, scene.cell, static_cast<uint32_t>(axis),
+    return sweepEvents(noSplit(), kDefaultCosts, filled, scene.cell, static_cast<uint32_t>(axis),
                        static_cast<uint32_t>(scene.boxes.size()));
 }
 

@@ -105,6 +105,8 @@ enum class Axes { all, widest, cycle };
 
 // Each setting is for the builders that know it.
 struct BuildSettings {
+    float costTraverse = 15.0f;   // SAH costs of an inner node and of a triangle test, 0.001 to 1000
+    float costIntersect = 20.0f;
     uint32_t bins = 32;        // per axis, 2 to 32
     uint32_t exactUpTo = 160;  // nodes of at most so many references are split by exact SAH; at most 1024
     uint32_t maxDepth = 0;     // of a leaf, at most 63; 0: round(8 + 1.3 log2 n)
