@@ -18,11 +18,12 @@ Camera cameraOf(const Session& session, const Options& options) {
     return overridden(chooseCamera(session.posed(), bounds, options.camera), bounds, overrides);
 }
 
-PictureRequest requestOf(const Session& session, const Options& options) {
+PictureRequest requestOf(Run& run, const Session& session) {
+    const Options& options = run.options;
     PictureRequest request;
     request.camera = imageCamera(cameraOf(session, options), options.width, options.height, infinity());
     request.view = options.view;
-    request.traversal = options.traversals.front();
+    request.traversal = run.traversal();
     request.test = options.triangleTests.front();
     return request;
 }
@@ -41,7 +42,8 @@ void runRender(Run& run) {
     run.progress.phase("rendering");
     Renderer& renderer = run.device.renderer();
     run.device.device().transfers = {};
-    Picture picture = renderer.render(tree, triangles, materials, requestOf(session, options));
+    const PictureRequest request = requestOf(run, session);
+    Picture picture = renderer.render(tree, triangles, materials, request);
     const uint64_t rays = uint64_t{options.width} * options.height;
     if (options.view == View::steps || options.view == View::leaves) drawLegend(picture);
 
@@ -49,8 +51,8 @@ void runRender(Run& run) {
     writeFile(options.output, pngOf(picture.width, picture.height, picture.pixels));
     Json report{{"scene", sceneJson(session)},
                 {"build", buildJson(built)},
-                {"trace", traceJson(options.traversals.front(), options.triangleTests.front(), rays, picture.traceMs,
-                                    picture.invalidRays, picture.cappedRays)},
+                {"trace", traceJson(request.traversal, request.test, rays, picture.traceMs, picture.invalidRays,
+                                    picture.cappedRays)},
                 {"render", {{"ms", numberJson(picture.ms)}}}};
     report["build"]["setupMs"] = numberJson(run.device.setupMilliseconds());
     CheckResult check;

@@ -15,14 +15,15 @@ void runTrace(Run& run) {
     BuiltTree built = session.build(options.builders.front());
     const DeviceTree& tree = session.upload(built);
     run.progress.phase("tracing");
-    const Tracer::Result traced = run.device.tracer().trace(tree, rays, traceMode(options));
+    const TraceMode mode{options.query, run.traversal(), options.triangleTests.front(), false};
+    const Tracer::Result traced = run.device.tracer().trace(tree, rays, mode);
 
     // Hits are written even if the check fails, so that they can be inspected.
     writeFile(options.output, npyOf(traced.hits));
-    Json report{{"scene", sceneJson(session)},
-                {"build", buildJson(built)},
-                {"trace", traceJson(options.traversals.front(), options.triangleTests.front(), rays.size(), traced.ms,
-                                    traced.invalidRays, traced.cappedRays)}};
+    Json report{
+        {"scene", sceneJson(session)},
+        {"build", buildJson(built)},
+        {"trace", traceJson(mode.traversal, mode.test, rays.size(), traced.ms, traced.invalidRays, traced.cappedRays)}};
     CheckResult check;
     if (options.check > 0) {
         check = session.check(rays, traced.hits, options.query, options.check);

@@ -16,4 +16,9 @@ void Run::warn(const std::string& text) {
     if (!options.quiet) std::fprintf(stderr, "warning: %s\n", oneLine(text).c_str());
 }
 
+std::vector<Traversal> Run::traversals() {
+    if (!options.traversals.empty()) return options.traversals;
+    return {defaultTraversal(device.device())};
+}
+
 }  // namespace cleave

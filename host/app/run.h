@@ -11,10 +11,14 @@
 namespace cleave {
 
 struct Run {
-    explicit Run(const Options& asked) : options(asked), progress(asked.quiet), device(asked.device) {}
+    explicit Run(const Options& asked) : options(asked), progress(asked.quiet), device(asked.device, asked.peers) {}
 
     void print(const std::string& text);  // to stdout, unless --quiet
     void warn(const std::string& text);   // to stderr, unless --quiet
+
+    // Those that are asked for, or the device's own.
+    std::vector<Traversal> traversals();
+    Traversal traversal() { return traversals().front(); }
 
     const Options& options;
     Stopwatch total;

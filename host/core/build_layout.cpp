@@ -51,7 +51,6 @@ BuildCounts countsOf(const BuildInfo& info) noexcept {
     n.refBlocks = ceilDiv64(c.refs, kBlock);
     n.nodeBlocks = ceilDiv64(c.levelNodes, kBlock);
     n.triangles = triangleCountOf(info);
-    n.numbers = info.list ? n.triangles : 0;
     n.geometries = info.geometryCount;
     return n;
 }
@@ -68,8 +67,8 @@ ScratchLayout scratchLayout(const BuildCounts& n, uint64_t largestRange) noexcep
 }
 
 TreeLayout treeLayoutOf(const BuildCounts& n) noexcept {
-    return treeLayout(static_cast<uint32_t>(n.triangles), static_cast<uint32_t>(n.numbers),
-                      static_cast<uint32_t>(n.nodes), static_cast<uint32_t>(n.leafRefs));
+    return treeLayout(static_cast<uint32_t>(n.triangles), static_cast<uint32_t>(n.nodes),
+                      static_cast<uint32_t>(n.leafRefs));
 }
 
 GeometryData geometryData(const Geometry& g, uint32_t firstTriangle) noexcept {
@@ -95,14 +94,13 @@ BuildArgs buildArgs(const BuildInfo& info, VkDeviceAddress tree, const Range* sc
     CLEAVE_SCRATCH_ARRAYS(CLEAVE_BIND)
 #undef CLEAVE_BIND
     a.triangles = tree + uint64_t(16) * parts.triangles;
-    a.numbers = n.numbers > 0 ? tree + uint64_t(16) * parts.numbers : 0;
     a.tree = tree + uint64_t(16) * parts.nodes;
     a.leafRefs = tree + uint64_t(16) * parts.leafRefs;
     a.state = address(at.state);
     a.header = tree;
     a.list = info.list;
     a.triangleCount = static_cast<uint32_t>(n.triangles);
-    a.numberCount = static_cast<uint32_t>(n.numbers);
+    a.numberCount = info.list ? a.triangleCount : 0;
     a.geometryCount = info.geometryCount;
     a.refCapacity = static_cast<uint32_t>(n.refs);
     a.levelNodeCapacity = static_cast<uint32_t>(n.levelNodes);
@@ -114,6 +112,7 @@ BuildArgs buildArgs(const BuildInfo& info, VkDeviceAddress tree, const Range* sc
     a.clip = info.clip ? 1 : 0;
     a.subsample = info.subsample ? 1 : 0;
     a.row = row;
+    a.costs = {info.costTraverse, info.costIntersect};
     a.invBinCount = 1.0f / static_cast<float>(info.bins);
     return a;
 }

@@ -17,7 +17,6 @@ struct BuildCounts {
     uint64_t refBlocks = 0;
     uint64_t nodeBlocks = 0;
     uint64_t triangles = 0;
-    uint64_t numbers = 0;
     uint64_t geometries = 0;
 };
 

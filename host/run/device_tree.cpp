@@ -34,7 +34,7 @@ std::shared_ptr<DeviceTree> uploadTree(Device& device, const TriangleSet& set, c
     const auto triangles = static_cast<uint32_t>(set.triangles.size());
     const auto nodes = static_cast<uint32_t>(tree.nodes.size());
     const auto leafRefs = static_cast<uint32_t>(tree.leafTriangles.size());
-    const TreeLayout at = treeLayout(triangles, 0, nodes, leafRefs);
+    const TreeLayout at = treeLayout(triangles, nodes, leafRefs);
     auto made = std::make_shared<DeviceTree>();
     made->memory = Buffer(device, bytesOf(at.end));
     TreeHeader& h = made->header;
@@ -53,7 +53,10 @@ std::shared_ptr<DeviceTree> uploadTree(Device& device, const TriangleSet& set, c
     h.nodes = made->address() + bytesOf(at.nodes);
     h.leafRefs = made->address() + bytesOf(at.leafRefs);
     made->memory.write(0, &h, sizeof(h));
-    made->memory.write(bytesOf(at.triangles), set.triangles.data(), triangles * sizeof(Triangle));
+    std::vector<TreeTriangle> numbered;
+    numbered.reserve(triangles);
+    for (uint32_t i = 0; i < triangles; i++) numbered.push_back(treeTriangle(set.triangles[i], i));
+    made->memory.write(bytesOf(at.triangles), numbered.data(), triangles * sizeof(TreeTriangle));
     made->memory.write(bytesOf(at.nodes), tree.nodes.data(), nodes * sizeof(KdNode));
     made->memory.write(bytesOf(at.leafRefs), tree.leafTriangles.data(), leafRefs * sizeof(uint32_t));
     return made;
@@ -70,11 +73,9 @@ KdTree readBack(const DeviceTree& device) {
     tree.exponent = h.exponent;
     read(h.nodes, tree.nodes, h.nodeCount);
     read(h.leafRefs, tree.leafTriangles, h.leafRefCount);
-    if (h.numbers != 0) {
-        std::vector<uint32_t> numbers;
-        read(h.numbers, numbers, h.triangleCount);
-        for (uint32_t& triangle : tree.leafTriangles) triangle = numbers[triangle];
-    }
+    std::vector<TreeTriangle> triangles;
+    read(h.triangles, triangles, h.triangleCount);
+    for (uint32_t& triangle : tree.leafTriangles) triangle = triangles[triangle].number;
     return tree;
 }
 

@@ -15,11 +15,12 @@ namespace cleave {
 struct TraceLimits {
     size_t batch = size_t(1) << 21;  // rays of one submission: bounds the memory of large queries
     uint32_t stepLimit = 0;          // of one dispatch, as TraceInfo::stepLimit
-    // Dispatches after which a ray is given up: with the default limit more than any valid tree needs. A ray that comes
-    // from a million diagonals away visits all cells along its way, from the restart node each: 24 million nodes in a
-    // scan of 870,000 triangles.
+    // Dispatches after which a ray is given up: with the default limit far more than any valid tree needs.
     uint32_t mostDispatches = 1024;
 };
+
+// What a device is best at: CPUs have a stack at hand, elsewhere 63 entries per ray are dear (docs/speed.md).
+Traversal defaultTraversal(const Device& device);
 
 class Tracer {
   public:

@@ -14,7 +14,7 @@ uint32_t classifyOne(BuildArrays& a, uint32_t depth, uint32_t i) {
     if (side != (kLeft | kRight)) return side;
     const Box box{r.lo, r.hi};
     SplitBoxes parts{leftOf(box, s.axis, s.position), rightOf(box, s.axis, s.position)};
-    if (a.args.clip != 0) parts = splitBoxes(a.triangles[r.prim], box, s.axis, s.position);
+    if (a.args.clip != 0) parts = splitBoxes(withoutNumber(a.triangles[r.prim]), box, s.axis, s.position);
     a.clipped[2 * i] = parts.left;
     a.clipped[2 * i + 1] = parts.right;
     return kClipped | (isEmpty(parts.left) ? 0 : kLeft) | (isEmpty(parts.right) ? 0 : kRight);

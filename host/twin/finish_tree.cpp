@@ -23,11 +23,10 @@ void finishTree(BuildArrays& a, uint32_t) {
     t.wantedLevelNodes = s.neededLevelNodes;
     t.wantedNodes = s.neededNodes;
     t.wantedLeafRefs = s.neededLeafRefs;
-    t.bytes = treeBytes(args.triangleCount, args.numberCount, s.nodesUsed, s.leafRefsUsed);
-    t.wantedBytes = isShort
-                        ? treeBytes(args.triangleCount, args.numberCount, std::max(args.nodeCapacity, s.neededNodes),
-                                    std::max(args.leafRefCapacity, s.neededLeafRefs))
-                        : uvec2(0);
+    t.bytes = treeBytes(args.triangleCount, s.nodesUsed, s.leafRefsUsed);
+    t.wantedBytes = isShort ? treeBytes(args.triangleCount, std::max(args.nodeCapacity, s.neededNodes),
+                                        std::max(args.leafRefCapacity, s.neededLeafRefs))
+                            : uvec2(0);
 }
 
 }  // namespace cleave::twin

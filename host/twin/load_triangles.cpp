@@ -20,7 +20,6 @@ void loadTriangles(BuildArrays& a, uint32_t) {
     std::fill_n(a.blockSums.begin(), ceilDiv(a.args.triangleCount, kBlock), glm::uvec4(0));
     for (uint32_t i = 0; i < a.args.triangleCount; i++) {
         const uint32_t number = triangleNumber(a, i);
-        if (!a.numbers.empty()) a.numbers[i] = number;
         const bool finite = isFiniteTriangle(a.world[number]);
         const Triangle t = finite ? scaledTriangle(a.world[number], -exponent) : Triangle{};
         const bool included = finite && !liesOnALine(t);
@@ -30,7 +29,7 @@ void loadTriangles(BuildArrays& a, uint32_t) {
             scene.noArea++;
         else
             include(scene, t);
-        a.triangles[i] = included ? t : Triangle{vec3(0.0f), vec3(0.0f), vec3(0.0f)};
+        a.triangles[i] = treeTriangle(included ? t : Triangle{vec3(0.0f), vec3(0.0f), vec3(0.0f)}, number);
         a.sides[i] = included ? 1 : 0;
         a.blockSums[i / kBlock].x += a.sides[i];
     }

@@ -26,7 +26,7 @@ uint clipped(uint index) {
     box.hi = r.hi;
     SplitBoxes parts;
     if (args.clip != 0u) {
-        parts = splitBoxes(args.triangles.at[r.prim], box, node.split.axis, node.split.position);
+        parts = splitBoxes(withoutNumber(args.triangles.at[r.prim]), box, node.split.axis, node.split.position);
     } else {
         parts.left = leftOf(box, node.split.axis, node.split.position);
         parts.right = rightOf(box, node.split.axis, node.split.position);

@@ -25,12 +25,12 @@ void main() {
     t.wantedLevelNodes = state.neededLevelNodes;
     t.wantedNodes = state.neededNodes;
     t.wantedLeafRefs = state.neededLeafRefs;
-    t.bytes = treeBytes(args.triangleCount, args.numberCount, state.nodesUsed, state.leafRefsUsed);
-    t.wantedBytes = treeBytes(args.triangleCount, args.numberCount, max(args.nodeCapacity, state.neededNodes),
+    t.bytes = treeBytes(args.triangleCount, state.nodesUsed, state.leafRefsUsed);
+    t.wantedBytes = treeBytes(args.triangleCount, max(args.nodeCapacity, state.neededNodes),
                               max(args.leafRefCapacity, state.neededLeafRefs));
     if (!isShort) t.wantedBytes = uvec2(0u);
     t.triangles = args.triangles;
-    t.numbers = args.numbers;
+    t.reserved = uvec2(0u);
     t.nodes = args.tree;
     t.leafRefs = args.leafRefs;
     args.header.at = t;

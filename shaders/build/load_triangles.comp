@@ -14,7 +14,6 @@ shared uint bits[6];
 // Stores the triangle at `index`, zeroed if it is left out; true if it is not.
 bool load(uint index) {
     uint number = triangleNumber(index);
-    if (args.numberCount != 0u) args.numbers.at[index] = number;
     Triangle t = worldTriangle(number);
     bool finite = isFiniteTriangle(t);
     if (finite) t = scaledTriangle(t, -sceneExponent(args.state.at.scene.largest));
@@ -22,7 +21,7 @@ bool load(uint index) {
     if (!finite) atomicAdd(nonFinite, 1u);
     else if (!included) atomicAdd(noArea, 1u);
     if (!included) t = Triangle(vec3(0.0), vec3(0.0), vec3(0.0));
-    args.triangles.at[index] = t;
+    args.triangles.at[index] = treeTriangle(t, number);
     args.sides.at[index] = included ? 1u : 0u;
     return included;
 }
@@ -44,7 +43,7 @@ void main() {
     Box b = emptyBox();
     for (uint k = i; k < count; k += gl_WorkGroupSize.x) {
         if (!load(first + k)) continue;
-        Triangle t = args.triangles.at[first + k];
+        TreeTriangle t = args.triangles.at[first + k];
         b = including(including(including(b, t.a), t.b), t.c);
         mine++;
     }

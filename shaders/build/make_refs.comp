@@ -22,7 +22,7 @@ void main() {
     for (uint k = 0u; k < i; k++) sum += runs[k];
     for (uint k = from; k < to; k++) {
         if (args.sides.at[k] == 0u) continue;
-        Box b = triangleBox(args.triangles.at[k]);
+        Box b = triangleBox(withoutNumber(args.triangles.at[k]));
         PrimRef r;
         r.lo = b.lo;
         r.prim = k;

@@ -11,4 +11,7 @@ CLEAVE_ARRAY(Uvec4Array, uvec4);
 CLEAVE_ARRAY(BoxArray, Box);
 CLEAVE_ARRAY(TriangleArray, Triangle);
 CLEAVE_ARRAY(KdNodeArray, KdNode);
+CLEAVE_ARRAY(TreeTriangleArray, TreeTriangle);
+// Pairs of words that are loaded at once.
+layout(buffer_reference, scalar, buffer_reference_align = 8) buffer PairArray { double at[]; };
 #endif

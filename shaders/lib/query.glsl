@@ -10,9 +10,8 @@
 #define CLEAVE_STACK false
 #endif
 
-// Inner nodes and triangle tests after which trace() and occluded() give up and answer with a miss. More than rays of
-// valid trees need: one that starts a million diagonals away visits all cells along its way again and again, 24 million
-// nodes in a scan of 900,000 triangles.
+// Inner nodes and triangle tests after which trace() and occluded() give up and answer with a miss. Far more than rays
+// of valid trees need.
 #ifndef CLEAVE_STEP_LIMIT
 #define CLEAVE_STEP_LIMIT (1u << 30)
 #endif
@@ -24,13 +23,12 @@ bool search(Tree tree, Ray ray, bool anyHit, uint stepLimit, inout Hit hit, inou
     if (anyHit && hit.prim != kNone) return true;
     TreeParts parts = partsOf(tree);
     ScaledRay scaled = scaledRay(ray, tree.at.exponent);
-    Hit given = scaledHit(hit, scaled.tExponent);
-    Hit best = given;
+    Best best = bestOf(scaledHit(hit, scaled.tExponent), scaled);
     bool finished = true;
     if (CLEAVE_STACK) traverseStack(parts, scaled, anyHit, best, steps);
     else finished = traverseRestart(parts, scaled, anyHit, stepLimit, best, trail, steps);
     // A hit that stays is not converted back: scaling may have moved its t out of the range of floats.
-    if (best.t != given.t || best.prim != given.prim) hit = worldHit(best, scaled.tExponent);
+    if (best.index != kNone) hit = worldHit(hitOf(parts, scaled, best), scaled.tExponent);
     return finished;
 }
 

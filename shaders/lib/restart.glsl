@@ -7,6 +7,11 @@
 #include "shared/trail.h"
 #include "lib/walk.glsl"
 
+// Whether the best hit comes back with the same bits from world units.
+bool staysAsItIs(Best best, int tExponent) {
+    return best.index == kNone || timesPowerOfTwo(best.tLow, tExponent) >= kSmallestNormal;
+}
+
 // Looks for a hit that is closer than `best`; t is in scaled units. Returns false if the ray is given up, which happens
 // after a leaf once more inner nodes and triangles than `stepLimit` have been seen. It can then be resumed with the
 // trail and the best hit that are returned, and the answer is that of an uninterrupted traversal:
@@ -18,50 +23,50 @@
 // - `best` returns with the same bits. Callers keep it in world units, so a ray is not given up while converting there
 //   and back would change its t, as it does where the world's t is below the smallest normal number. Few cells are
 //   left to visit then, those that begin next to the origin.
-bool traverseRestart(TreeParts tree, ScaledRay ray, bool anyHit, uint stepLimit, inout Hit best, inout Trail trail,
+bool traverseRestart(TreeParts tree, ScaledRay ray, bool anyHit, uint stepLimit, inout Best best, inout Trail trail,
                      inout StepCount steps) {
-    vec3 inverse = vec3(1.0) / ray.direction;  // not used where the direction is 0
+    Walk walk;
     Visit start;
     start.node = 0u;
     uint startDepth = 0u;
-    if (!enterRoot(ray, inverse, tree.bounds, start.tMin, start.tMax)) return true;
+    if (!enterRoot(tree.bounds, ray, walk, start.tMin, start.tMax)) return true;
+    float limit = limitOf(best, walk);
     uint seen = 0u;
     while (true) {
         Visit at = start;
         uint depth = startDepth;
         float pending = infinity();  // a lower bound of t over all cells that are still to be visited
-        KdNode node = tree.nodes.at[at.node];
-        while (!isLeaf(node) && at.tMin <= best.t) {
+        KdNode node = nodeAt(tree, at.node);
+        while (!isLeaf(node) && at.tMin <= limit) {
             seen++;
             if (CLEAVE_COUNT_STEPS) steps.inner++;
-            PlaneStep s = stepAt(node, ray, inverse, at.tMin, at.tMax);
-            bool takeFar = !s.goNear;
-            if (s.goNear && s.goFar) takeFar = trailBit(trail, depth);
-            else trail = withBit(trail, depth);
-            if (takeFar) {
-                at.tMin = max(at.tMin, s.tLow);
-            } else {
-                at.tMax = min(at.tMax, s.tHigh);
-                if (s.goFar) pending = min(pending, s.tLow);
-            }
+            PlaneStep s = stepAt(node, walk, at.tMin, at.tMax);
+            bool both = s.goNear && s.goFar;
+            bool takeFar = both ? trailBit(trail, depth) : !s.goNear;
+            trail = both ? trail : withBit(trail, depth);
+            pending = both && !takeFar ? min(pending, s.tLow) : pending;
+            at.tMin = takeFar ? max(at.tMin, s.tLow) : at.tMin;
+            at.tMax = takeFar ? at.tMax : min(at.tMax, s.tHigh);
             at.node = nodeChild(node) + (takeFar ? 1u - s.near : s.near);
             depth++;
-            if (pending == infinity()) {  // push-down: nothing above is left to visit
-                start = at;
-                startDepth = depth;
-            }
-            node = tree.nodes.at[at.node];
+            bool pushesDown = pending == infinity();  // nothing above is left to visit
+            start.node = pushesDown ? at.node : start.node;
+            start.tMin = pushesDown ? at.tMin : start.tMin;
+            start.tMax = pushesDown ? at.tMax : start.tMax;
+            startDepth = pushesDown ? depth : startDepth;
+            node = nodeAt(tree, at.node);
         }
-        if (isLeaf(node) && at.tMin <= best.t) {
+        if (isLeaf(node) && at.tMin <= limit) {
             seen += leafCount(node);
             bool found = testLeaf(tree, ray, node, anyHit, best, steps);
             if (anyHit && found) return true;
+            limit = limitOf(best, walk);
         }
         // Ties go to the lower number, so a cell that begins at the best t must still be visited.
-        if (pending == infinity() || best.t < pending) return true;
+        if (pending == infinity() || limit < pending) return true;
         trail = advanced(trail, depth);
         if (CLEAVE_COUNT_STEPS) steps.restarts++;
-        if (seen > stepLimit && scaledHit(worldHit(best, ray.tExponent), ray.tExponent).t == best.t) return false;
+        if (seen > stepLimit && staysAsItIs(best, ray.tExponent)) return false;
     }
     return true;
 }

@@ -113,11 +113,11 @@ CLEAVE_FN NearestFaces including(NearestFaces f, float lo, float hi, float plane
 // The best of a split and of those at the faces next to it. The counts at the split are true, those of bins may be
 // estimates. References that begin at the face below, or end at the one above, count on both sides of it here though
 // they will go to one: its cost is an upper bound.
-CLEAVE_FN Split snapped(Split s, Box cell, NearestFaces f) {
-    Split best = betterOfBothSides(noSplit(), cell, s.axis, s.position, f.left, f.right, f.planar);
-    if (f.below != 0u) best = betterOf(best, cell, s.axis, fromOrderedBits(f.below), f.left, f.rightBelow, 1u);
+CLEAVE_FN Split snapped(SahCosts costs, Split s, Box cell, NearestFaces f) {
+    Split best = betterOfBothSides(noSplit(), costs, cell, s.axis, s.position, f.left, f.right, f.planar);
+    if (f.below != 0u) best = betterOf(best, costs, cell, s.axis, fromOrderedBits(f.below), f.left, f.rightBelow, 1u);
     if (f.above != 0xFFFFFFFFu) {
-        best = betterOf(best, cell, s.axis, fromOrderedBits(f.above), f.left, f.right + f.planar, 0u);
+        best = betterOf(best, costs, cell, s.axis, fromOrderedBits(f.above), f.left, f.right + f.planar, 0u);
     }
     return best;
 }
@@ -195,10 +195,9 @@ CLEAVE_SIZE(BuildState, 6616);
     ROW(nodeSums, uvec4, Uvec4Array, n.nodeBlocks) /* per block of nodes: as BuildState.nodeTotals */
 
 // And those that become the tree.
-#define CLEAVE_TREE_ARRAYS(ROW)                          \
-    ROW(triangles, Triangle, TriangleArray, n.triangles) \
-    ROW(numbers, uint, UintArray, n.numbers)             \
-    ROW(tree, KdNode, KdNodeArray, n.nodes)              \
+#define CLEAVE_TREE_ARRAYS(ROW)                                  \
+    ROW(triangles, TreeTriangle, TreeTriangleArray, n.triangles) \
+    ROW(tree, KdNode, KdNodeArray, n.nodes)                      \
     ROW(leafRefs, uint, UintArray, n.leafRefs)
 
 #define CLEAVE_ARRAY_FIELD(name, Element, Array, count) CLEAVE_ADDRESS(Array) name;
@@ -224,6 +223,7 @@ struct BuildArgs {
     uint subsample;  // 1: large nodes are binned by a part of their references
     uint row;        // the most workgroups in a row of a dispatch
     float invBinCount;
+    SahCosts costs;
 };
 CLEAVE_SIZE(BuildArgs, 232);
 

@@ -7,8 +7,33 @@
 CLEAVE_BEGIN
 
 CLEAVE_CONST uint kTreeMagic = 0x56454C43u;  // "CLEV"
-CLEAVE_CONST uint kTreeFormatNumber = 1u;    // raised whenever the bytes of a tree change
+CLEAVE_CONST uint kTreeFormatNumber = 2u;    // raised whenever the bytes of a tree change
 CLEAVE_CONST uint kShortOfCapacity = 1u;     // status: the last levels were finished as leaves
+
+// A triangle of the tree, scaled, with its number in the scene. Those that are left out are zeroed.
+struct TreeTriangle {
+    vec3 a;
+    vec3 b;
+    vec3 c;
+    uint number;
+};
+CLEAVE_SIZE(TreeTriangle, 40);
+
+CLEAVE_FN TreeTriangle treeTriangle(Triangle t, uint number) {
+    TreeTriangle n;
+    n.a = t.a;
+    n.b = t.b;
+    n.c = t.c;
+    n.number = number;
+    return n;
+}
+CLEAVE_FN Triangle withoutNumber(TreeTriangle n) {
+    Triangle t;
+    t.a = n.a;
+    t.b = n.b;
+    t.c = n.c;
+    return t;
+}
 
 #ifndef __cplusplus
 #include "lib/arrays.glsl"
@@ -32,8 +57,8 @@ struct TreeData {
     uint wantedLeafRefs;
     uvec2 bytes;  // low and high word
     uvec2 wantedBytes;
-    CLEAVE_ADDRESS(TriangleArray) triangles;  // scaled; those left out are zeroed
-    CLEAVE_ADDRESS(UintArray) numbers;        // of the triangles; null where each is numbered by its index
+    uvec2 reserved;
+    CLEAVE_ADDRESS(TreeTriangleArray) triangles;
     CLEAVE_ADDRESS(KdNodeArray) nodes;
     CLEAVE_ADDRESS(UintArray) leafRefs;  // indices of triangles, leaf by leaf
 };

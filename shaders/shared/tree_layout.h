@@ -9,18 +9,16 @@ CLEAVE_BEGIN
 // Where the parts of a tree begin, in blocks of 16 bytes from its start.
 struct TreeLayout {
     uint triangles;
-    uint numbers;
     uint nodes;
     uint leafRefs;
     uint end;
 };
 
-// A triangle takes 36 bytes, a node 8, a number or a reference 4.
-CLEAVE_FN TreeLayout treeLayout(uint triangles, uint numbers, uint nodes, uint leafRefs) {
+// A triangle takes 40 bytes, a node 8, a reference 4.
+CLEAVE_FN TreeLayout treeLayout(uint triangles, uint nodes, uint leafRefs) {
     TreeLayout l;
     l.triangles = 8u;
-    l.numbers = l.triangles + 2u * triangles + ceilDiv(triangles, 4u);
-    l.nodes = l.numbers + ceilDiv(numbers, 4u);
+    l.nodes = l.triangles + 2u * triangles + ceilDiv(triangles, 2u);
     l.leafRefs = l.nodes + ceilDiv(nodes, 2u);
     l.end = l.leafRefs + ceilDiv(leafRefs, 4u);
     return l;
@@ -28,8 +26,8 @@ CLEAVE_FN TreeLayout treeLayout(uint triangles, uint numbers, uint nodes, uint l
 
 // The bytes of so many blocks, low and high word.
 CLEAVE_FN uvec2 bytesOfBlocks(uint blocks) { return uvec2(blocks << 4, blocks >> 28); }
-CLEAVE_FN uvec2 treeBytes(uint triangles, uint numbers, uint nodes, uint leafRefs) {
-    return bytesOfBlocks(treeLayout(triangles, numbers, nodes, leafRefs).end);
+CLEAVE_FN uvec2 treeBytes(uint triangles, uint nodes, uint leafRefs) {
+    return bytesOfBlocks(treeLayout(triangles, nodes, leafRefs).end);
 }
 
 CLEAVE_END

@@ -70,11 +70,27 @@ CLEAVE_FN double preciseDot(dvec3 a, dvec3 b) {
     return s + z;
 }
 
-// Returns true only if the line of the ray certainly misses the triangle. With |d| < 2 per component, E the largest
-// edge and A the largest |a - origin| component, each rounding at most u = 2^-24 of its result: the two
-// Moeller-Trumbore terms err by at most 84 u A E, the third (det - u - v) by 108 u E (2 A + E); 2^-17 E (2 A + E)
-// covers both. Denormals are covered by the absolute term.
-CLEAVE_FN bool clearlyMisses(vec3 origin, vec3 direction, vec3 a, vec3 b, vec3 c) {
+// What float arithmetic knows of a line and a triangle: whether it certainly misses, whether it certainly hits, and if
+// it hits, an interval that holds the t of resolveTriangle().
+struct FilteredHit {
+    bool misses;
+    bool hits;
+    float tLow;  // -inf to inf where nothing is known
+    float tHigh;
+};
+
+// Beyond this distance from the ray's origin nothing is said of t.
+CLEAVE_CONST float kFilterReach = 1.0e12f;
+
+// The terms of Moeller and Trumbore (1997), each with a bound of its error. With |d| < 2 per component, E the largest
+// edge, A the largest |a - origin| component and u = 2^-24, the largest error of one rounding relative to its result:
+// - u and v err by at most 84 u A E, w = det - u - v by 108 u E (2 A + E). 2^-17 E (2 A + E) covers all three.
+//   resolveTriangle() decides by the same three determinants in double, whose errors vanish in what is left over.
+// - det errs by at most 84 u E^2, and n, so that t = n / det, by 48 u A E^2. Where |det| > 2^-15 E^2, the quotient errs
+//   by at most (48 u A + 84 u |t|) E^2 / |det|, where |t| may itself be larger by a half: 2^-17 (A + 2 |t|) E^2 / |det|
+//   covers it, and 2^-20 |t| covers the division, the bound's own rounding and that of t to float.
+// Absolute terms cover what falls below the smallest normal number.
+CLEAVE_FN FilteredHit filterTriangle(vec3 origin, vec3 direction, vec3 a, vec3 b, vec3 c) {
     vec3 e1 = b - a;
     vec3 e2 = c - a;
     vec3 s = origin - a;
@@ -88,7 +104,22 @@ CLEAVE_FN bool clearlyMisses(vec3 origin, vec3 direction, vec3 a, vec3 b, vec3 c
     float edge = max(largestComponent(e1), largestComponent(e2));
     float reach = largestComponent(s);
     precise float bound = 7.62939453125e-06f * edge * (2.0f * reach + edge) + 1.0e-36f;
-    return min(u, min(v, w)) < -bound && max(u, max(v, w)) > bound;
+    float least = min(u, min(v, w));
+    float most = max(u, max(v, w));
+    float size = abs(det);
+    bool knowsT = reach < kFilterReach && size > 3.0517578125e-05f * edge * edge + 1.0e-30f;
+    float inverse = 1.0f / size;
+    float distance = abs(preciseDot(e2, q)) * inverse;
+    float t = (preciseDot(e2, q) < 0.0f) == (det < 0.0f) ? distance : -distance;
+    float slack =
+        inverse * (7.62939453125e-06f * edge * edge * (reach + 2.0f * distance) + 1.0e-36f * (1.0f + distance)) +
+        9.5367431640625e-07f * distance;
+    FilteredHit f;
+    f.misses = least < -bound && most > bound;
+    f.hits = knowsT && (least > bound || most < -bound);
+    f.tLow = knowsT ? t - slack : -infinity();
+    f.tHigh = knowsT ? t + slack : infinity();
+    return f;
 }
 
 // Returns (a - b) - (c - d) to within a rounding of double, even where nearly all of it cancels: Knuth's two-sum keeps
@@ -181,17 +212,17 @@ CLEAVE_FN Hit resolveTriangle(vec3 origin, vec3 direction, vec3 va, vec3 vb, vec
 // Intersects the line of the ray with the triangle. The caller compares t with the interval of the ray, and sets
 // `prim`.
 CLEAVE_FN Hit intersectTriangle(vec3 origin, vec3 direction, Triangle triangle) {
-    if (clearlyMisses(origin, direction, triangle.a, triangle.b, triangle.c)) return missedHit();
+    if (filterTriangle(origin, direction, triangle.a, triangle.b, triangle.c).misses) return missedHit();
     return resolveTriangle(origin, direction, triangle.a, triangle.b, triangle.c);
 }
 
 // Moeller and Trumbore's test (1997) in float, edge-inclusive, to compare with. Rays slip between triangles where
 // rounding puts them outside both, and t is only as accurate as float and cancellation allow.
-CLEAVE_FN Hit plainTriangle(vec3 origin, vec3 direction, Triangle triangle) {
+CLEAVE_FN Hit plainTriangle(vec3 origin, vec3 direction, vec3 a, vec3 b, vec3 c) {
     Hit h = missedHit();
-    vec3 e1 = triangle.b - triangle.a;
-    vec3 e2 = triangle.c - triangle.a;
-    vec3 s = origin - triangle.a;
+    vec3 e1 = b - a;
+    vec3 e2 = c - a;
+    vec3 s = origin - a;
     vec3 p = preciseCross(direction, e2);
     vec3 q = preciseCross(s, e1);
     float det = preciseDot(e1, p);

@@ -22,21 +22,16 @@ uvec2 addressOf(uint block) {
 
 void main() {
     TreeData t = push.from.at;
-    bool hasNumbers = uvec2(t.numbers) != uvec2(0u);
-    uint numberCount = hasNumbers ? t.triangleCount : 0u;
-    TreeLayout l = treeLayout(t.triangleCount, numberCount, t.nodeCount, t.leafRefCount);
-    TriangleArray triangles = TriangleArray(addressOf(l.triangles));
-    UintArray numbers = UintArray(hasNumbers ? addressOf(l.numbers) : uvec2(0u));
+    TreeLayout l = treeLayout(t.triangleCount, t.nodeCount, t.leafRefCount);
+    TreeTriangleArray triangles = TreeTriangleArray(addressOf(l.triangles));
     KdNodeArray nodes = KdNodeArray(addressOf(l.nodes));
     UintArray leafRefs = UintArray(addressOf(l.leafRefs));
     uint first = groupIndex() * kGroup + gl_LocalInvocationID.x;
     for (uint i = first; i < t.triangleCount; i += push.invocations) triangles.at[i] = t.triangles.at[i];
-    for (uint i = first; i < numberCount; i += push.invocations) numbers.at[i] = t.numbers.at[i];
     for (uint i = first; i < t.nodeCount; i += push.invocations) nodes.at[i] = t.nodes.at[i];
     for (uint i = first; i < t.leafRefCount; i += push.invocations) leafRefs.at[i] = t.leafRefs.at[i];
     if (first != 0u) return;
     t.triangles = triangles;
-    t.numbers = numbers;
     t.nodes = nodes;
     t.leafRefs = leafRefs;
     push.to.at = t;

@@ -8,6 +8,7 @@
 #include "run/context_of.h"
 #include "run/ranges.h"
 #include "run/tracer.h"
+#include "shared/tree.h"
 #include "support/device.h"
 #include "support/scenes.h"
 #include "support/trace_cases.h"
@@ -47,9 +48,12 @@ TEST(Compact, KeepsATreeAtEverySize) {
         ASSERT_EQ(back.nodes.size(), tree.nodes.size());
         EXPECT_EQ(std::memcmp(back.nodes.data(), tree.nodes.data(), tree.nodes.size() * sizeof(KdNode)), 0);
         EXPECT_EQ(back.leafTriangles, tree.leafTriangles);
-        std::vector<Triangle> triangles(n);
-        copy.memory.read(copy.header.triangles - copy.address(), triangles.data(), n * sizeof(Triangle));
-        EXPECT_EQ(std::memcmp(triangles.data(), set.triangles.data(), n * sizeof(Triangle)), 0);
+        std::vector<TreeTriangle> triangles(n);
+        copy.memory.read(copy.header.triangles - copy.address(), triangles.data(), n * sizeof(TreeTriangle));
+        for (uint32_t i = 0; i < n; i++) {
+            ASSERT_EQ(std::memcmp(&triangles[i], &set.triangles[i], sizeof(Triangle)), 0) << i;
+            ASSERT_EQ(triangles[i].number, i);
+        }
     }
 }
 

@@ -15,6 +15,7 @@ struct LayoutRecord {
     Ray ray;
     Hit hit;
     Triangle triangle;
+    TreeTriangle treeTriangle;
     PrimRef ref;
     BuildNode buildNode;
     Chunk chunk;
@@ -48,8 +49,9 @@ struct LayoutRecord {
             tree.nodeCount) UINT(tree.leafRefCount) UINT(tree.nonFinite) UINT(tree.noArea) INT(tree.exponent)                 \
             FLOAT(tree.bounds.lo.x) FLOAT(tree.bounds.hi.z) UINT(tree.wantedRefs) UINT(tree.wantedLevelNodes) UINT(           \
                 tree.wantedNodes) UINT(tree.wantedLeafRefs) UINT(tree.bytes.x) UINT(tree.bytes.y)                             \
-                UINT(tree.wantedBytes.x) UINT(tree.wantedBytes.y) ADDRESS(tree.triangles, TriangleArray) ADDRESS(             \
-                    tree.numbers, UintArray) ADDRESS(tree.nodes, KdNodeArray) ADDRESS(tree.leafRefs, UintArray)               \
+                UINT(tree.wantedBytes.x) UINT(tree.wantedBytes.y) UINT(tree.reserved.x) UINT(tree.reserved.y) ADDRESS(tree.triangles, TreeTriangleArray)                        \
+                ADDRESS(tree.nodes, KdNodeArray) ADDRESS(tree.leafRefs, UintArray) FLOAT(treeTriangle.a.x)                    \
+                FLOAT(treeTriangle.b.y) FLOAT(treeTriangle.c.z) UINT(treeTriangle.number)                                     \
                     ADDRESS(geometry.vertices, FloatArray) ADDRESS(geometry.indices, UintArray) ADDRESS(                      \
                         geometry.transform,                                                                                   \
                         FloatArray) UINT(geometry.stride) UINT(geometry.vertexCount) UINT(geometry.firstTriangle)             \
@@ -69,7 +71,8 @@ struct LayoutRecord {
                                                     buildArgs.leafRefCapacity) UINT(buildArgs.binCount)                       \
                                                     UINT(buildArgs.exactUpTo) UINT(buildArgs.maxDepth) UINT(                  \
                                                         buildArgs.clip) UINT(buildArgs.subsample) UINT(buildArgs.row)         \
-                                                        FLOAT(buildArgs.invBinCount) ADDRESS(                                 \
+                                                        FLOAT(buildArgs.invBinCount) FLOAT(buildArgs.costs.traverse)          \
+                                                        FLOAT(buildArgs.costs.intersect) ADDRESS(                             \
                                                             pictureArgs.state,                                                \
                                                             PictureStateRef) ADDRESS(pictureArgs.tree, Tree)                  \
                                                             ADDRESS(pictureArgs.triangles, TriangleArray) ADDRESS(            \

@@ -28,7 +28,10 @@ TEST(LoadTriangles, MakesTheTriangleSetOfTheHost) {
     a.state.scene.included = static_cast<uint32_t>(set.included.size());
     EXPECT_EQ(rootCell(a.state.scene).lo, set.bounds.lo);
     EXPECT_EQ(rootCell(a.state.scene).hi, set.bounds.hi);
-    for (size_t i = 0; i < world.size(); i++) EXPECT_EQ(std::memcmp(&a.triangles[i], &set.triangles[i], 36), 0) << i;
+    for (uint32_t i = 0; i < world.size(); i++) {
+        EXPECT_EQ(std::memcmp(&a.triangles[i], &set.triangles[i], sizeof(Triangle)), 0) << i;
+        EXPECT_EQ(a.triangles[i].number, i);
+    }
 }
 
 }  // namespace cleave::test

@@ -128,7 +128,7 @@ TEST(Triangle, agreesWithWideArithmeticAtAllScales) {
         if (random() % 4 == 0) target += anyVector(random, size);
         const vec3 o = target - way * d;
         const Judged truth = judged(o, d, t);
-        const bool clear = clearlyMisses(o, d, t.a, t.b, t.c);
+        const bool clear = filterTriangle(o, d, t.a, t.b, t.c).misses;
         ASSERT_FALSE(clear && truth.hits) << "seed " << seed;
         const Hit h = intersectTriangle(o, d, t);
         (truth.hits ? hits : misses)++;
@@ -146,6 +146,58 @@ TEST(Triangle, agreesWithWideArithmeticAtAllScales) {
     EXPECT_GT(certain, 5000);
     EXPECT_GT(worst, 0.0);
     RecordProperty("worstError", std::to_string(worst * 0x1p24) + " units of 2^-24");
+}
+
+// What float arithmetic calls certain is so, and its interval holds the t that double arithmetic finds.
+TEST(Triangle, filterNeverContradictsDouble) {
+    int hits = 0, misses = 0, unsure = 0, narrow = 0, wide = 0;
+    for (uint seed = 0; seed < 400000; seed++) {
+        std::mt19937 random(seed);
+        const bool extreme = seed % 8 == 0;
+        const float size = std::ldexp(1.0f, -static_cast<int>(random() % (extreme ? 100 : 12)));
+        const float reach = std::ldexp(size, static_cast<int>(random() % (extreme ? 30 : 6)));
+        const vec3 place = anyVector(random, reach);
+        const Triangle t{place + anyVector(random, size), place + anyVector(random, size),
+                         place + anyVector(random, size)};
+        const vec3 d = anyDirection(random);
+        vec3 target = pointOf(t, static_cast<Part>(seed % 3), random);
+        if (random() % 2 == 0) target += anyVector(random, size);
+        const vec3 o = target - reach * anyVector(random, 1.0f).x * d;
+        const FilteredHit f = filterTriangle(o, d, t.a, t.b, t.c);
+        const Hit h = resolveTriangle(o, d, t.a, t.b, t.c);
+        ASSERT_FALSE(f.misses && h.t != infinity()) << "seed " << seed;
+        ASSERT_FALSE(f.hits && h.t == infinity()) << "seed " << seed;
+        (f.misses ? misses : f.hits ? hits : unsure)++;
+        if (h.t == infinity()) continue;
+        ASSERT_LE(f.tLow, h.t) << "seed " << seed;
+        ASSERT_GE(f.tHigh, h.t) << "seed " << seed;
+        (f.tHigh - f.tLow <= 1e-3f * max(std::fabs(h.t), size) ? narrow : wide)++;
+    }
+    EXPECT_GT(hits, 50000);
+    EXPECT_GT(misses, 50000);
+    EXPECT_GT(unsure, 10000);
+    EXPECT_GT(narrow, 50000);
+    RecordProperty("wide", wide);
+}
+
+// The interval's bound is derived, not fitted: rays and triangles at which it is nearly taken up show that it has to be
+// about so large.
+TEST(Triangle, filterBoundIsNotIdle) {
+    double most = 0.0;
+    for (uint seed = 0; seed < 200000; seed++) {
+        std::mt19937 random(seed);
+        const Triangle t{anyVector(random, 1.0f), anyVector(random, 1.0f), anyVector(random, 1.0f)};
+        const vec3 d = anyDirection(random);
+        const vec3 o = pointOf(t, kInside, random) - 4.0f * d;
+        const FilteredHit f = filterTriangle(o, d, t.a, t.b, t.c);
+        const Hit h = resolveTriangle(o, d, t.a, t.b, t.c);
+        if (!f.hits || h.t == infinity()) continue;
+        const double middle = 0.5 * (double(f.tLow) + f.tHigh), half = 0.5 * (double(f.tHigh) - f.tLow);
+        most = std::max(most, std::fabs(h.t - middle) / half);
+    }
+    EXPECT_GT(most, 0.02);
+    EXPECT_LT(most, 1.0);
+    RecordProperty("mostOfTheBound", std::to_string(most));
 }
 
 // A ray that starts at a vertex meets the triangle there, at 0 and not at a rounding error before or behind it. Found

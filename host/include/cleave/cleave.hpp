@@ -26,7 +26,7 @@ namespace cleave {
 // Versions of this interface, of the bytes of a tree, and of the answers: the last is raised whenever a bit of a hit
 // may change.
 inline constexpr uint32_t kApiVersion = 1;
-inline constexpr uint32_t kTreeFormat = 1;
+inline constexpr uint32_t kTreeFormat = 2;
 inline constexpr uint32_t kAnswersVersion = 1;
 
 // The device features that a Context needs. Chain `vulkan12` and `vulkan13` into VkDeviceCreateInfo, or set the same
@@ -122,6 +122,10 @@ struct BuildInfo {
     VkDeviceAddress list = 0;
     uint32_t listCount = 0;
 
+    // Of an inner node and of a triangle test, in the surface area heuristic: positive, finite.
+    float costTraverse = 15.0f;
+    float costIntersect = 20.0f;
+
     uint32_t bins = 32;        // per axis, 2 to 32
     uint32_t exactUpTo = 160;  // nodes of at most so many references are split by exact SAH; at most 1024
     uint32_t maxDepth = 0;     // of a leaf, at most 63; 0: round(8 + 1.3 log2 n)
@@ -173,8 +177,8 @@ struct TreeHeader {
     Capacity wanted;            // what the build would have needed, where that was more than it had; else 0
     uint64_t bytes;             // of the tree without slack: what cmdCompact() needs
     uint64_t wantedBytes;       // of a tree with `wanted`; 0 where the capacity sufficed
-    VkDeviceAddress triangles;  // 36 bytes each: the vertices, scaled
-    VkDeviceAddress numbers;    // of the triangles; 0: each is its own index
+    uint32_t reserved[2];
+    VkDeviceAddress triangles;  // 40 bytes each: the vertices, scaled, and the number
     VkDeviceAddress nodes;      // 8 bytes each
     VkDeviceAddress leafRefs;   // 4 bytes each: indices of triangles, leaf by leaf
 };
