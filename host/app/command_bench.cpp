@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "app/bench_peers.h"
 #include "app/commands.h"
 #include "app/report.h"
 #include "base/text.h"
@@ -12,29 +13,13 @@
 namespace cleave {
 namespace {
 
-struct RaySet {
-    std::vector<Ray> rays;
-    Query query = Query::closest;
-};
-using RaySets = std::array<RaySet, kRaySets.size()>;
-
 // Secondary rays start from primary hits, so the first builder's answers are needed; all builders then get these rays.
-void makeSecondaryRays(RaySets& sets, const Session& session, std::span<const Hit> primaryHits) {
+void makeSecondaryRays(RaySets& sets, const Session& session) {
     const Box bounds = session.worldBounds();
     const std::vector<SurfacePoint> points =
-        surfacePoints(session.posed().triangles, bounds, sets[0].rays, primaryHits);
-    sets[1] = {diffuseRays(points), Query::closest};
-    sets[2] = {shadowRays(points, bounds), Query::any};
-}
-
-// The share of triangle tests that were decided in double.
-double resolvedShare(std::span<const StepCount> steps) {
-    uint64_t tests = 0, resolved = 0;
-    for (const StepCount& s : steps) {
-        tests += s.triangles;
-        resolved += s.resolved;
-    }
-    return tests > 0 ? static_cast<double>(resolved) / static_cast<double>(tests) : 0.0;
+        surfacePoints(session.posed().triangles, bounds, sets[0].rays, sets[0].hits);
+    sets[1] = {diffuseRays(points), Query::closest, {}};
+    sets[2] = {shadowRays(points, bounds), Query::any, {}};
 }
 
 // Proves a sample right, then times; the first trace, which warms up, is the one that is judged. The plain triangle
@@ -56,12 +41,11 @@ SetFigures measure(Run& run, Session& session, const DeviceTree& tree, const Ray
         requireAnswered(traced.cappedRays, figures.check, session.scene().name + ", " + name + " rays");
     TraceMode counting = mode;
     counting.countSteps = true;
-    if (run.options.triangleTests.size() > 1)
-        figures.resolvedShare = resolvedShare(tracer.trace(tree, set.rays, counting).steps);
+    if (run.options.work || run.options.triangleTests.size() > 1)
+        figures.work = workOf(tracer.trace(tree, set.rays, counting).steps, run.device.device().subgroupSize());
     run.progress.phase("timing " + name + " rays");
-    std::vector<double> times;
-    for (uint32_t i = 0; i < run.options.runs; ++i) times.push_back(tracer.trace(tree, set.rays, mode).ms);
-    figures.ms = medianOf(times);
+    for (uint32_t i = 0; i < run.options.runs; ++i) figures.runs.push_back(tracer.trace(tree, set.rays, mode).ms);
+    figures.ms = medianOf(figures.runs);
     if (hits != nullptr) *hits = std::move(traced.hits);
     return figures;
 }
@@ -71,22 +55,25 @@ BuilderFigures benchBuilder(Run& run, Session& session, Builder builder, RaySets
     figures.built = session.build(builder, run.options.runs);
     session.profile(figures.built);
     const DeviceTree& tree = session.upload(figures.built);
-    for (const Traversal traversal : run.options.traversals) {
+    for (const Traversal traversal : run.traversals()) {
         for (const TriangleTest test : run.options.triangleTests) {
             ModeFigures mode{traversal, test, {}};
-            const bool first = sets[1].rays.empty();
-            std::vector<Hit> hits;
+            const bool first = sets[0].hits.empty();
             for (size_t i = 0; i < sets.size(); ++i) {
                 mode.sets[i] = measure(run, session, tree, sets[i], {sets[i].query, traversal, test, false},
-                                       kRaySets[i], i == 0 ? &hits : nullptr);
-                if (i == 0 && first && !hits.empty()) makeSecondaryRays(sets, session, hits);
+                                       kRaySets[i], first ? &sets[i].hits : nullptr);
+                if (i == 0 && first) makeSecondaryRays(sets, session);
             }
             figures.modes.push_back(mode);
         }
     }
-    figures.built.tree = {};
     figures.built.onDevice.reset();
     return figures;
+}
+
+Json workJson(const RayWork& work) {
+    return {{"inner", work.inner},       {"leaves", work.leaves},     {"triangles", work.triangles},
+            {"resolved", work.resolved}, {"restarts", work.restarts}, {"lanesInUse", work.lanesInUse}};
 }
 
 Json modeJson(const ModeFigures& mode) {
@@ -96,9 +83,10 @@ Json modeJson(const ModeFigures& mode) {
         const SetFigures& set = mode.sets[i];
         Json& json = sets[kRaySets[i]];
         json = traceJson(mode.traversal, mode.test, set.rays, set.ms, set.invalidRays, set.cappedRays);
+        json["runsMs"] = set.runs;
         json["hitsHash"] = set.hitsHash;
         json["check"] = checkJson(set.check);
-        if (set.resolvedShare) json["resolvedShare"] = *set.resolvedShare;
+        if (set.work) json["work"] = workJson(*set.work);
         sum.add(set.check);
     }
     return {{"traversal", nameOf(mode.traversal)},
@@ -116,7 +104,7 @@ Json builderJson(const BuilderFigures& figures) {
     return report;
 }
 
-// The first builder's figures at the top; all of them in `builders` where there are several.
+// The first builder's figures at the top, too.
 Json benchScene(Run& run, const std::filesystem::path& file) {
     Session session(run, file);
     RaySets sets;
@@ -124,14 +112,20 @@ Json benchScene(Run& run, const std::filesystem::path& file) {
     const Box bounds = session.worldBounds();
     if (!isEmpty(bounds)) sets[0].rays = primaryRays(bounds, run.options.interior);
     std::vector<BuilderFigures> all;
-    for (const Builder builder : run.options.builders) all.push_back(benchBuilder(run, session, builder, sets));
+    std::vector<PeerFigures> peers;
+    for (const Builder builder : run.options.builders) {
+        all.push_back(benchBuilder(run, session, builder, sets));
+        if (run.options.peers && all.size() == 1) peers = benchPeers(run, session, all.front().built, sets);
+        all.back().built.tree = {};
+    }
 
     run.print(oneLine(file.filename().string()) + ": " + grouped(session.posed().triangles.size()) + " triangles, " +
               oneLine(run.device.name().value_or("")) + ", median of " + std::to_string(run.options.runs) + "\n" +
-              treeTable(all, session.set().included.size()) + rayTable(all) + kernelLines(all) + "\n");
+              treeTable(all, session.set().included.size()) + rayTable(all) + (run.options.work ? workTable(all) : "") +
+              kernelLines(all) + (run.options.peers ? peerTable(all, peers) : "") + "\n");
     Json report{{"scene", sceneJson(session)}};
     report.update(builderJson(all.front()));
-    if (all.size() == 1) return report;
+    for (const PeerFigures& figures : peers) report["peers"].push_back(peerJson(figures));
     for (const BuilderFigures& figures : all) report["builders"].push_back(builderJson(figures));
     return report;
 }

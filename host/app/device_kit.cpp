@@ -21,6 +21,7 @@ Device& DeviceKit::device() {
     DeviceOptions options;
     options.nameOrIndex = nameOrIndex_;
     options.maps = !isOn("CLEAVE_NO_MAP");
+    options.rayTracing = rayTracing_ && !isOn("CLEAVE_NO_RAY_TRACING");
     options.loadPipelines = loadPipelines;
     options.storePipelines = storePipelines;
     if (isOn("CLEAVE_VALIDATION"))

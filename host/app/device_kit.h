@@ -15,10 +15,13 @@ namespace cleave {
 
 class DeviceKit {
   public:
-    explicit DeviceKit(std::string nameOrIndex) : nameOrIndex_(std::move(nameOrIndex)) {}
+    // `rayTracing`: with the driver's own, too, to compare with.
+    explicit DeviceKit(std::string nameOrIndex, bool rayTracing = false)
+        : nameOrIndex_(std::move(nameOrIndex)), rayTracing_(rayTracing) {}
 
     // Opened with what the environment says: CLEAVE_VALIDATION=1 turns the validation layers on, CLEAVE_NO_MAP=1
-    // refuses mapped device memory. Pipelines are kept in the user's cache folder.
+    // refuses mapped device memory, CLEAVE_NO_RAY_TRACING=1 the driver's own ray tracing. Pipelines are kept in the
+    // user's cache folder.
     Device& device();
     GpuBuilder& builder();  // warm
     Tracer& tracer();
@@ -34,6 +37,7 @@ class DeviceKit {
   private:
     // The order matters: what lives on the device goes before it.
     std::string nameOrIndex_;
+    bool rayTracing_;
     std::unique_ptr<Device> device_;
     std::unique_ptr<GpuBuilder> builder_;
     std::unique_ptr<Tracer> tracer_;

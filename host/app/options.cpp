@@ -11,6 +11,7 @@
 
 #include "app/option_values.h"
 #include "base/error.h"
+#include "base/text.h"
 #include "facade/host_builders.h"
 #include "stability/cases.h"
 
@@ -83,6 +84,16 @@ void addWhole(CLI::App& app, const std::string& name, const std::string& text, N
         "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
 }
 
+void addCost(CLI::App& app, const std::string& name, const std::string& text, float& target) {
+    const auto cost = [](const std::string& given) {
+        const std::optional<double> value = parseNumber(given);
+        return value && *value >= kLeastCost && *value <= kMostCost ? value : std::nullopt;
+    };
+    addParsed<double>(
+        app, name, "X", text + " (" + fixed(target, 0) + ")", cost,
+        [&target](double value) { target = static_cast<float>(value); }, "a number from 0.001 to 1000");
+}
+
 template <typename Value, size_t n>
 void addNamed(CLI::App& app, const std::string& name, const std::string& text, Value& target,
               const std::array<std::pair<const char*, Value>, n>& table) {
@@ -146,6 +157,8 @@ void addBuild(CLI::App& app, Options& options, bool several) {
     addParsed<uint64_t>(
         app, "--memory", "SIZE", "bytes that a build may use, for example 512M or 2G", parseBytes,
         [&settings](uint64_t bytes) { settings.memory = bytes; }, "a size, for example 512M or 2G");
+    addCost(app, "--cost-traverse", "SAH cost of an inner node", settings.costs.traverse);
+    addCost(app, "--cost-intersect", "SAH cost of a triangle test", settings.costs.intersect);
     addWhole(app, "--bins", "bins per axis (" + std::to_string(kBins) + ")", settings.bins, 2, kBins);
     addNamed(app, "--subsample", "bin every l-th reference of large nodes, l = max(1, floor(log10 n))",
              settings.subsample, kSwitch);
@@ -160,7 +173,8 @@ void addBuild(CLI::App& app, Options& options, bool several) {
 }
 
 void addTraversal(CLI::App& app, Options& options, bool several) {
-    addNames(app, "--traversal", "how rays go", options.traversals, kTraversals, several);
+    addNames(app, "--traversal", "how rays go; left out: what the device is best at", options.traversals, kTraversals,
+             several);
     addNames(app, "--triangle-test", "how hits are decided", options.triangleTests, kTriangleTests, several);
     addWhole(app, "--check", "judge so many of the rays by the reference", options.check, 1, uint64_t{1} << 32);
 }
@@ -229,7 +243,11 @@ void addBench(CLI::App& app, Options& options) {
     addTraversal(app, options, true);
     CLI::Option* survey =
         app.add_flag("--survey", options.survey, "the survey's tables, measured again with each of its builders");
-    for (const char* fixed : {"--builder", "--traversal", "--triangle-test"}) survey->excludes(fixed);
+    app.add_flag("--work", options.work, "nodes, triangle tests and lanes in use per ray, too");
+    app.add_flag("--peers", options.peers,
+                 "beside other ray tracers: the driver's own, Embree, a plain stack walk in C++");
+    for (const char* fixed : {"--builder", "--traversal", "--triangle-test", "--peers", "--work"})
+        survey->excludes(fixed);
     addOutput(app, options);
 }
 
@@ -306,10 +324,6 @@ void complete(Options& options) {
 }  // namespace
 
 uint64_t raysToJudge(const Options& options) { return options.check > 0 ? options.check : 2048; }
-
-TraceMode traceMode(const Options& options) {
-    return {options.query, options.traversals.front(), options.triangleTests.front(), false};
-}
 
 Request parseCommandLine(int argc, const char* const* argv) {
     const std::string first = argc > 1 ? argv[1] : "";

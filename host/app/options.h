@@ -42,10 +42,12 @@ struct Options {
     std::optional<double> fov;  // vertical, degrees
 
     Query query = Query::closest;
-    std::vector<Traversal> traversals{Traversal::restart};  // bench: several, all with each of the tests
+    std::vector<Traversal> traversals;  // empty: the device's own; bench: several, all with each of the tests
     std::vector<TriangleTest> triangleTests{TriangleTest::watertight};
     uint32_t runs = 5;
     bool interior = false;
+    bool work = false;    // bench: what rays do on their way, too
+    bool peers = false;   // bench: other ray tracers too, on the same rays
     bool survey = false;  // bench: the survey's builders and tables instead of `builders`
 
     bool quick = false;
@@ -62,7 +64,6 @@ using Request = std::variant<Options, std::string>;
 uint64_t raysToJudge(const Options& options);
 
 // The trace mode of commands that use a single one.
-TraceMode traceMode(const Options& options);
 
 // Wrong use of the command line: exit status 2.
 struct UsageError : std::runtime_error {

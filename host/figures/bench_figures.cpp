@@ -37,15 +37,15 @@ Row treeRow(const BuiltTree& built, const TreeStatistics* exact, uint64_t includ
     return row;
 }
 
-// Over all sets, weighed by rays: about the same number of tests each.
+// Of the triangle tests of all sets.
 std::string resolvedText(const ModeFigures& mode) {
-    double sum = 0.0, rays = 0.0;
+    double resolved = 0.0, tests = 0.0;
     for (const SetFigures& set : mode.sets) {
-        if (!set.resolvedShare) continue;
-        sum += *set.resolvedShare * static_cast<double>(set.rays);
-        rays += static_cast<double>(set.rays);
+        if (!set.work) continue;
+        resolved += set.work->resolved * static_cast<double>(set.rays);
+        tests += set.work->triangles * static_cast<double>(set.rays);
     }
-    return rays > 0.0 ? fixed(100.0 * sum / rays, 2) + " %" : "-";
+    return tests > 0.0 ? fixed(100.0 * resolved / tests, 2) + " %" : "-";
 }
 
 Row rayRow(Builder builder, const ModeFigures& mode, bool modesDiffer) {
@@ -88,6 +88,22 @@ std::string rayTable(const std::vector<BuilderFigures>& figures) {
     for (const BuilderFigures& f : figures)
         for (const ModeFigures& mode : f.modes) rows.push_back(rayRow(f.built.builder, mode, modesDiffer));
     return alignedTable(rows, (modesDiffer ? "lll" : "l") + std::string(head.size() - (modesDiffer ? 3 : 1), 'r'));
+}
+
+std::string workTable(const std::vector<BuilderFigures>& figures) {
+    std::vector<Row> rows{{"builder", "traversal", "test", "rays", "inner", "leaves", "triangles", "in double",
+                           "restarts", "lanes in use"}};
+    for (const BuilderFigures& f : figures)
+        for (const ModeFigures& mode : f.modes)
+            for (size_t i = 0; i < kRaySets.size(); ++i) {
+                if (!mode.sets[i].work) continue;
+                const RayWork& work = *mode.sets[i].work;
+                rows.push_back({nameOf(f.built.builder), nameOf(mode.traversal), nameOf(mode.test), kRaySets[i],
+                                fixed(work.inner, 2), fixed(work.leaves, 2), fixed(work.triangles, 2),
+                                fixed(work.resolved, 2), fixed(work.restarts, 2),
+                                fixed(100.0 * work.lanesInUse, 1) + " %"});
+            }
+    return alignedTable(rows, "llllrrrrrr");
 }
 
 std::string hitsHash(std::span<const Hit> hits, Query query) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "figures/built_tree.h"
+#include "figures/ray_work.h"
 
 namespace cleave {
 
@@ -19,7 +20,8 @@ struct SetFigures {
     uint64_t cappedRays = 0;
     CheckResult check;
     std::string hitsHash;
-    std::optional<double> resolvedShare;  // of the triangle tests: those decided in double; where tests are compared
+    std::optional<RayWork> work;  // where it is asked for, or triangle tests are compared
+    std::vector<double> runs;     // ms of each
 };
 
 // Figures of one traversal with one triangle test.
@@ -40,6 +42,9 @@ struct BuilderFigures {
 std::string treeTable(const std::vector<BuilderFigures>& figures, uint64_t included);
 // A row per builder and mode.
 std::string rayTable(const std::vector<BuilderFigures>& figures);
+
+// A row per builder, mode and set of rays: what a ray does on its way.
+std::string workTable(const std::vector<BuilderFigures>& figures);
 
 // A hash of the answers, 16 hexadecimal digits: of every bit of closest hits, in the order of their rays. Of any hits
 // only which rays hit counts, for the triangle that is found first depends on the tree.

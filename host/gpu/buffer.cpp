@@ -15,7 +15,7 @@ namespace {
 std::string mebibytes(uint64_t bytes) { return std::to_string((bytes >> 20) + 1) + " MiB"; }
 }  // namespace
 
-Buffer::Buffer(Device& device, uint64_t bytes) : device_(&device), size_(bytes) {
+Buffer::Buffer(Device& device, uint64_t bytes, VkBufferUsageFlags uses) : device_(&device), size_(bytes) {
     if (bytes > device.largestAllocation())
         throw Error("the device gives at most " + mebibytes(device.largestAllocation()) + " in one piece, and " +
                     mebibytes(bytes) + " are needed; use a smaller scene or picture");
@@ -24,7 +24,7 @@ Buffer::Buffer(Device& device, uint64_t bytes) : device_(&device), size_(bytes) 
     info.size = std::max<uint64_t>(bytes, 4);
     info.usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT |
                  VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
-                 VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+                 VK_BUFFER_USAGE_TRANSFER_DST_BIT | uses;
     VmaAllocationCreateInfo memory{};
     memory.usage = VMA_MEMORY_USAGE_AUTO_PREFER_DEVICE;
     if (device.maps())

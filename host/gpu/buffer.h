@@ -15,8 +15,9 @@ namespace cleave {
 class Buffer {
   public:
     Buffer() = default;
-    // Throws Error if the device has not so much memory, or gives not so much in one piece.
-    Buffer(Device& device, uint64_t bytes);
+    // Throws Error if the device has not so much memory, or gives not so much in one piece. `uses`: what the buffer is
+    // for beside what kernels and transfers do.
+    Buffer(Device& device, uint64_t bytes, VkBufferUsageFlags uses = 0);
     ~Buffer();
     Buffer(Buffer&& other) noexcept;
     Buffer& operator=(Buffer&& other) noexcept;

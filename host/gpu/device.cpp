@@ -1,6 +1,7 @@
 #include "gpu/device.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "base/error.h"
 #include "cleave/cleave.hpp"
@@ -57,6 +58,14 @@ void Device::open() {
     info.pNext = &features;
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queueInfo;
+    std::optional<RayTracingRequest> rayTracing;
+    if (options_.rayTracing) {
+        rayTracing.emplace(adopted_.physicalDevice);
+        info.pNext = rayTracing->chain(&features);
+        info.enabledExtensionCount = static_cast<uint32_t>(rayTracing->extensions().size());
+        info.ppEnabledExtensionNames = rayTracing->extensions().data();
+        rayTracing_ = rayTracing->found();
+    }
     check(vkCreateDevice(adopted_.physicalDevice, &info, nullptr, device_.put()), "opening the Vulkan device");
     adopted_.device = device_.get();
     vkGetDeviceQueue(adopted_.device, adopted_.queueFamily, 0, &adopted_.queue);
@@ -70,9 +79,13 @@ void Device::prepare() {
     maintenance3.pNext = &maintenance4;
     VkPhysicalDeviceProperties2 properties{};
     properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
-    properties.pNext = &maintenance3;
+    VkPhysicalDeviceSubgroupProperties subgroup{};
+    subgroup.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES;
+    subgroup.pNext = &maintenance3;
+    properties.pNext = &subgroup;
     vkGetPhysicalDeviceProperties2(physicalDevice(), &properties);
     properties_ = properties.properties;
+    subgroupSize_ = subgroup.subgroupSize;
     largestAllocation_ = std::min(maintenance3.maxMemoryAllocationSize, maintenance4.maxBufferSize);
     if (options_.largestAllocation != 0)
         largestAllocation_ = std::min<uint64_t>(largestAllocation_, options_.largestAllocation);

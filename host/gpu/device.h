@@ -12,6 +12,7 @@
 
 #include "gpu/instance.h"
 #include "gpu/owned.h"
+#include "gpu/ray_tracing.h"
 
 VK_DEFINE_HANDLE(VmaAllocator)
 
@@ -30,6 +31,7 @@ struct DeviceOptions {
     uint64_t largestAllocation = 0;          // bytes; 0: what the device says
     size_t stagingBytes = size_t(16) << 20;  // of the ring that transfers go through
     uint32_t longestRow = 0;                 // of workgroups in a dispatch; 0: as long as every device takes
+    bool rayTracing = false;                 // opens the driver's own, too, what there is of it
 };
 
 // What was moved over the bus: every byte that the host wrote or read in device-visible memory, mapped or staged.
@@ -72,8 +74,12 @@ class Device {
     uint32_t longestRow() const { return options_.longestRow; }
     // Bytes that one buffer may have.
     uint64_t largestAllocation() const { return largestAllocation_; }
+    uint32_t subgroupSize() const { return subgroupSize_; }
     // Ticks of the queue's clock that are valid, as a mask; 0: it has no clock.
     uint64_t clockMask() const { return clockMask_; }
+
+    // What of the driver's own ray tracing is open: nothing unless it was asked for.
+    RayTracing rayTracing() const { return rayTracing_; }
 
     // Bytes of device memory that buffers hold at present.
     uint64_t memoryInUse() const;
@@ -92,6 +98,8 @@ class Device {
     VkPhysicalDeviceProperties properties_{};
     uint64_t largestAllocation_ = 0;
     uint64_t clockMask_ = 0;
+    uint32_t subgroupSize_ = 1;
+    RayTracing rayTracing_;
     Owned<VkDevice, VkCommandPool, vkDestroyCommandPool> commandPool_;
     Owned<VkDevice, VkPipelineCache, vkDestroyPipelineCache> pipelineCache_;
     Owned<int, VmaAllocator, destroyAllocator> allocator_;

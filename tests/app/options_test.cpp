@@ -153,12 +153,23 @@ TEST(Options, WaysOfRays) {
     const Options bench = parse({"bench", "a.glb", "--traversal", "stack,restart", "--triangle-test", "plain"});
     EXPECT_EQ(bench.traversals, (std::vector{Traversal::stack, Traversal::restart}));
     EXPECT_EQ(bench.triangleTests, std::vector{TriangleTest::plain});
-    const TraceMode mode = traceMode(parse({"trace", "a.glb", "r.npy", "--triangle-test", "unfiltered"}));
-    EXPECT_EQ(mode.traversal, Traversal::restart);
-    EXPECT_EQ(mode.test, TriangleTest::unfiltered);
+    const Options trace = parse({"trace", "a.glb", "r.npy", "--triangle-test", "unfiltered"});
+    EXPECT_TRUE(trace.traversals.empty()) << "the device's own";
+    EXPECT_EQ(trace.triangleTests.front(), TriangleTest::unfiltered);
     expectRefused({"bench", "a.glb", "--traversal", "stack,stack"}, "given twice");
     expectRefused({"bench", "a.glb", "--traversal", "ropes"}, "restart, stack");
     expectRefused({"render", "--triangle-test", "watertight,plain"}, "watertight, plain, unfiltered");
+}
+
+TEST(Options, CostsOfTheHeuristic) {
+    const Options given = parse({"info", "a.glb", "--cost-traverse", "1.5", "--cost-intersect", "8"});
+    EXPECT_EQ(given.settings.costs.traverse, 1.5f);
+    EXPECT_EQ(given.settings.costs.intersect, 8.0f);
+    const Options none = parse({"info", "a.glb"});
+    EXPECT_EQ(none.settings.costs.traverse, 15.0f);
+    EXPECT_EQ(none.settings.costs.intersect, 20.0f);
+    for (const char* wrong : {"0", "-1", "nan", "inf", "1e9", "x"})
+        expectRefused({"info", "a.glb", "--cost-traverse", wrong}, "from 0.001 to 1000");
 }
 
 TEST(Options, OptionsOfLaterAreNotTakenYet) {
@@ -166,7 +177,6 @@ TEST(Options, OptionsOfLaterAreNotTakenYet) {
         expectRefused({"render", option, "4"}, option);
         expectRefused({"render", option, "4"}, "--size");
     }
-    expectRefused({"bench", "a.glb", "--peers"}, "--runs");
     expectRefused({"trace", "a.glb", "r.npy", "--all", "3"}, "--any");
     expectRefused({"info", "a.glb", "--check", "3"}, "--validate");
     expectRefused({"render", "a.glb", "b.glb"}, "b.glb");

@@ -244,6 +244,27 @@ TEST_F(Program, AnotherEyeGivesAnotherPicture) {
     EXPECT_NE(own, render({"--fov", "10"}));
 }
 
+TEST_F(Program, BenchComparesPeersOnTheSameRays) {
+    const Outcome outcome = runCleave({"bench", scene_, "--runs", "1", "--builder", "exact", "--check", "64", "--peers",
+                                       "--work", "--json", at("b.json")});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const Json report = reportOf("b.json");
+    ASSERT_EQ(report["builders"].size(), 1u);
+    ASSERT_EQ(report["peers"].size(), 6u);
+    for (const Json& peer : report["peers"]) {
+        const std::string name = peer["name"];
+        EXPECT_NE(outcome.out.find(name), std::string::npos) << name << " in\n" << outcome.out;
+        if (peer.contains("missing")) continue;
+        const bool isSlow = name.starts_with("ray-") && peer["order"] == "file";
+        for (const char* set : {"primary", "diffuse", "shadow"}) {
+            EXPECT_LE(peer["sets"][set]["rays"], isSlow ? 65536 : 1024 * 1024) << name;
+            EXPECT_LE(peer["sets"][set]["disagreements"], 100) << name << ", " << set;
+            EXPECT_GT(peer["sets"][set]["mraysPerSecond"], 0.0) << name << ", " << set;
+        }
+    }
+    EXPECT_GT(report["sets"]["primary"]["work"]["inner"], 0.0);
+}
+
 TEST_F(Program, BenchShowsBuildersSideBySide) {
     const Outcome outcome =
         runCleave({"bench", scene_, "--runs", "1", "--builder", "gpu,exact", "--check", "64", "--json", at("b.json")});

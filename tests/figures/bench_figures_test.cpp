@@ -1,4 +1,5 @@
 #include "figures/bench_figures.h"
+#include "figures/peer_figures.h"
 
 #include <gtest/gtest.h>
 
@@ -20,8 +21,11 @@ BuilderFigures figuresOf(Builder builder, double sahCost, uint64_t references) {
     f.built.statistics.maxDepth = 9;
     f.built.statistics.sahCost = sahCost;
     f.modes.resize(1);
-    f.modes[0].sets[0] = {1000000, 500.0, 0, 0, {}, {}, {}};
-    f.modes[0].sets[0].check.rays = 2048;
+    SetFigures& primary = f.modes[0].sets[0];
+    primary.rays = 1000000;
+    primary.ms = 500.0;
+    primary.runs = {400.0, 500.0, 800.0};
+    primary.check.rays = 2048;
     return f;
 }
 
@@ -84,12 +88,68 @@ TEST(BenchTable, WaysOfRaysSideBySide) {
     figures.modes[1].traversal = Traversal::stack;
     figures.modes[1].test = TriangleTest::plain;
     figures.modes[1].sets[0].check.mismatches = 7;
-    figures.modes[0].sets[0].resolvedShare = 0.125;
+    figures.modes[0].sets[0].work = RayWork{20.0, 5.0, 8.0, 1.0, 3.0, 0.75};
     const std::string table = rayTable({figures});
     EXPECT_NE(table.find("gpu      restart    watertight     500.000"), std::string::npos) << table;
     EXPECT_NE(table.find("12.50 %    2,048      0"), std::string::npos) << table;
     EXPECT_NE(table.find("gpu      stack      plain "), std::string::npos) << table;
     EXPECT_NE(table.find("-    2,048      7"), std::string::npos) << table;
+}
+
+TEST(BenchTable, WorkOfRays) {
+    BuilderFigures figures = figuresOf(Builder::gpu, 110.0, 3000);
+    figures.modes[0].sets[0].work = RayWork{20.0, 5.0, 8.0, 1.0, 3.0, 0.75};
+    EXPECT_EQ(workTable({figures}),
+              "builder  traversal  test        rays     inner  leaves  triangles  in double  restarts  lanes in use\n"
+              "gpu      restart    watertight  primary  20.00    5.00       8.00       1.00      3.00        75.0 %\n");
+}
+
+// Three rays in subgroups of two: 10 and 30 visits together take 2 x 30 places, 20 alone as many as 2 x 20.
+TEST(RayWork, HandWorkedAverages) {
+    const std::vector<StepCount> steps{{8, 2, 4, 1, 0, 1}, {20, 10, 6, 3, 0, 2}, {15, 5, 2, 2, 0, 0}};
+    const RayWork work = workOf(steps, 2);
+    EXPECT_DOUBLE_EQ(work.inner, 43.0 / 3.0);
+    EXPECT_DOUBLE_EQ(work.leaves, 17.0 / 3.0);
+    EXPECT_DOUBLE_EQ(work.triangles, 4.0);
+    EXPECT_DOUBLE_EQ(work.resolved, 1.0);
+    EXPECT_DOUBLE_EQ(work.restarts, 2.0);
+    EXPECT_DOUBLE_EQ(work.lanesInUse, 60.0 / 100.0);
+    EXPECT_DOUBLE_EQ(workOf({}, 8).lanesInUse, 0.0);
+}
+
+BuilderFigures figuresBesidePeers() {
+    BuilderFigures ours = figuresOf(Builder::exact, 100.0, 2000);
+    for (SetFigures& set : ours.modes[0].sets) {
+        set.rays = 1000000;
+        set.runs = {400.0, 500.0, 800.0};
+    }
+    return ours;
+}
+
+TEST(PeerTable, RatesBesideOurs) {
+    PeerFigures peer;
+    peer.name = "embree";
+    peer.order = "file";
+    peer.buildRuns = {3.0, 1.0, 2.0};
+    peer.sets = {PeerSetFigures{1000000, 3, {200.0, 250.0, 1000.0}}, PeerSetFigures{1000000, 10001, {}},
+                 PeerSetFigures{1000000, 0, {1000.0}}};
+    PeerFigures absent;
+    absent.name = "ray-query";
+    absent.order = "morton";
+    absent.missing = "not here";
+    const std::string table = peerTable({figuresBesidePeers()}, {peer, absent});
+    EXPECT_NE(table.find("4.00  1.00..5.00   0.50"), std::string::npos) << table;
+    EXPECT_NE(table.find("wrong"), std::string::npos) << table;
+    EXPECT_NE(table.find("2.00"), std::string::npos) << table;
+    EXPECT_NE(table.find("3,000,000  10,004"), std::string::npos) << table;
+    EXPECT_NE(table.find("ray-query, morton: not here"), std::string::npos) << table;
+    const Json json = peerJson(peer);
+    EXPECT_EQ(json["buildMs"], 2.0);
+    EXPECT_EQ(json["sets"]["primary"]["disagreements"], 3);
+    EXPECT_EQ(json["sets"]["primary"]["mraysPerSecond"], 4.0);
+    EXPECT_EQ(json["sets"]["diffuse"]["mraysPerSecond"], nullptr);
+    EXPECT_EQ(json["sets"]["diffuse"]["wrong"], true);
+    EXPECT_EQ(peerJson(absent)["missing"], "not here");
 }
 
 TEST(BenchTable, KernelsByTheirShare) {

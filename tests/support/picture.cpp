@@ -107,7 +107,9 @@ PictureArrays PicturePair::onDevice(PictureKernels::Pass pass, uint32_t round) {
     Commands commands(device());
     commands.begin();
     const uint32_t groups = pass == PictureKernels::select_count ? 1 : ceilDiv(args.count, kGroup);
-    kernels().recorder(commands.handle()).dispatch(kernels()[pass], PicturePush{scratch.address() + at_.args.offset, round, 0}, groups);
+    kernels()
+        .recorder(commands.handle())
+        .dispatch(kernels()[pass], PicturePush{scratch.address() + at_.args.offset, round, 0}, groups);
     commands.run();
     all(false);
     scratch.read(at_.state.offset, &result.state, sizeof(PictureState));
