@@ -13,7 +13,7 @@ struct RayWork {
     double inner = 0.0;  // inner nodes visited, those of restarts included
     double leaves = 0.0;
     double triangles = 0.0;  // triangle tests
-    double resolved = 0.0;   // of them decided in double, and the hit in the end
+    double resolved = 0.0;   // of them decided in double
     double restarts = 0.0;
     // The share of lanes that have a node to visit, if the lanes of a subgroup visit theirs together until the last of
     // them is done: the work of all over the largest times their number.

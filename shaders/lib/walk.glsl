@@ -21,7 +21,6 @@
 #endif
 
 const float kWiden = 9.5367431640625e-07;  // 2^-20 = 16 u
-
 const float kLargeT = 3.0e38;
 const float kFar = 8.0;                 // rays that enter the root cell later than this are walked from there
 const float kLeastDirection = 1.0e-20;  // see enterRoot()
