@@ -228,7 +228,7 @@ bool testLeaf(TreeParts tree, ScaledRay ray, KdNode leaf, bool anyHit, inout Bes
             bool catchesUp = best.tLow < best.tHigh && f.tHigh >= best.tLow;
             if (catchesUp) t = triangleAt(tree, best.index);
             Hit h = decided(ray, t);
-            if (CLEAVE_COUNT_STEPS) steps.resolved++;
+            if (CLEAVE_COUNT_STEPS && CLEAVE_TEST != kPlainTest) steps.resolved++;
             if (catchesUp) i--;
             else if (h.t < ray.tMin || h.t > best.tHigh || h.t == infinity()) continue;
             else if (h.t == best.tLow && t.number > best.number) continue;

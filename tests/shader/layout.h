@@ -3,6 +3,7 @@
 #define CLEAVE_TESTS_LAYOUT_H
 #include "shared/build.h"
 #include "shared/compact.h"
+#include "shared/peer_trace.h"
 #include "shared/picture.h"
 #include "shared/trace.h"
 
@@ -35,77 +36,53 @@ struct LayoutRecord {
     TracePush tracePush;
     CompactPush compactPush;
     PicturePush picturePush;
+    PeerTracePush peerPush;
 };
 
 // The fields of the structs that were added last, in their order: what both sides walk, counting up from kFirstListed.
 // A scalar has a number, an address the same in its low word.
 // clang-format off
-#define CLEAVE_LAYOUT_FIELDS(UINT, INT, FLOAT, DOUBLE, ADDRESS)                                                               \
-    UINT(faces.below)                                                                                                         \
-    UINT(faces.above)                                                                                                         \
-    UINT(faces.left) UINT(faces.rightBelow) UINT(faces.right) UINT(faces.planar) UINT(scene.largest) UINT(                    \
-        scene.included) UINT(scene.nonFinite) UINT(scene.noArea) UINT(scene.boundsBits[0]) UINT(scene.boundsBits[5])          \
-        UINT(tree.magic) UINT(tree.format) UINT(tree.status) UINT(tree.levels) UINT(tree.triangleCount) UINT(                 \
-            tree.nodeCount) UINT(tree.leafRefCount) UINT(tree.nonFinite) UINT(tree.noArea) INT(tree.exponent)                 \
-            FLOAT(tree.bounds.lo.x) FLOAT(tree.bounds.hi.z) UINT(tree.wantedRefs) UINT(tree.wantedLevelNodes) UINT(           \
-                tree.wantedNodes) UINT(tree.wantedLeafRefs) UINT(tree.bytes.x) UINT(tree.bytes.y)                             \
-                UINT(tree.wantedBytes.x) UINT(tree.wantedBytes.y) UINT(tree.reserved.x) UINT(tree.reserved.y) ADDRESS(tree.triangles, TreeTriangleArray)                        \
-                ADDRESS(tree.nodes, KdNodeArray) ADDRESS(tree.leafRefs, UintArray) FLOAT(treeTriangle.a.x)                    \
-                FLOAT(treeTriangle.b.y) FLOAT(treeTriangle.c.z) UINT(treeTriangle.number)                                     \
-                    ADDRESS(geometry.vertices, FloatArray) ADDRESS(geometry.indices, UintArray) ADDRESS(                      \
-                        geometry.transform,                                                                                   \
-                        FloatArray) UINT(geometry.stride) UINT(geometry.vertexCount) UINT(geometry.firstTriangle)             \
-                        UINT(geometry.indexBits) UINT(geometry.hasTransform) UINT(geometry.reserved) UINT(trail.upper)        \
-                            UINT(trail.lower) DOUBLE(camera.eye.x) DOUBLE(camera.forward.y)                                   \
-                                DOUBLE(camera.right.z) DOUBLE(camera.up.x) DOUBLE(camera.pixel) UINT(                         \
-                                    camera.width) UINT(camera.height) UINT(camera.orthographic) FLOAT(camera.tMax)            \
-                                    UINT(picture.lowBits) UINT(picture.highBits) UINT(picture.prefix) UINT(                   \
-                                        picture.rank) UINT(picture.histogram[0]) UINT(picture.histogram[255])                 \
-                                        UINT(picture.primary.invalidRays) UINT(picture.shadow.unfinishedRays) ADDRESS(        \
-                                            buildArgs.state,                                                                  \
-                                            BuildStateRef) ADDRESS(buildArgs.header, Tree) ADDRESS(buildArgs.list,            \
-                                                                                                   UintArray)                 \
-                                            UINT(buildArgs.triangleCount) UINT(buildArgs.numberCount) UINT(                   \
-                                                buildArgs.geometryCount) UINT(buildArgs.refCapacity)                          \
-                                                UINT(buildArgs.levelNodeCapacity) UINT(buildArgs.nodeCapacity) UINT(          \
-                                                    buildArgs.leafRefCapacity) UINT(buildArgs.binCount)                       \
-                                                    UINT(buildArgs.exactUpTo) UINT(buildArgs.maxDepth) UINT(                  \
-                                                        buildArgs.clip) UINT(buildArgs.subsample) UINT(buildArgs.row)         \
-                                                        FLOAT(buildArgs.invBinCount) FLOAT(buildArgs.costs.traverse)          \
-                                                        FLOAT(buildArgs.costs.intersect) ADDRESS(                             \
-                                                            pictureArgs.state,                                                \
-                                                            PictureStateRef) ADDRESS(pictureArgs.tree, Tree)                  \
-                                                            ADDRESS(pictureArgs.triangles, TriangleArray) ADDRESS(            \
-                                                                pictureArgs.materialOf,                                       \
-                                                                UintArray) ADDRESS(pictureArgs.baseColours,                   \
-                                                                                   ColourArray)                               \
-                                                                DOUBLE(pictureArgs.camera.pixel) UINT(                        \
-                                                                    pictureArgs.view) UINT(pictureArgs.count)                 \
-                                                                    ADDRESS(buildPush.args, BuildArgsRef) UINT(               \
-                                                                        buildPush.depth) UINT(buildPush.scans)                \
-                                                                        ADDRESS(tracePush.tree, Tree) ADDRESS(                \
-                                                                            tracePush.rays,                                   \
-                                                                            RayArray) ADDRESS(tracePush.hits,                 \
-                                                                                              HitArray)                       \
-                                                                            ADDRESS(tracePush.steps, StepCountArray) ADDRESS( \
-                                                                                tracePush.counters,                           \
-                                                                                TraceCountersRef)                             \
-                                                                                ADDRESS(tracePush.trails, TrailArray)         \
-                                                                                    UINT(tracePush.rayCount) UINT(            \
-                                                                                        tracePush                             \
-                                                                                            .stepLimit)                       \
-                                                                                        UINT(tracePush.flags) ADDRESS(        \
-                                                                                            compactPush.from,                 \
-                                                                                            Tree) ADDRESS(compactPush         \
-                                                                                                              .to,            \
-                                                                                                          Tree)               \
-                                                                                            UINT(compactPush                  \
-                                                                                                     .invocations)            \
-                                                                                                ADDRESS(                      \
-                                                                                                    picturePush.args,         \
-                                                                                                    PictureArgsRef)           \
-                                                                                                    UINT(picturePush          \
-                                                                                                             .round)
+#define CLEAVE_LAYOUT_FIELDS(UINT, INT, FLOAT, DOUBLE, ADDRESS)                                                  \
+    UINT(faces.below) UINT(faces.above) UINT(faces.left) UINT(faces.rightBelow) UINT(faces.right)                \
+    UINT(faces.planar)                                                                                           \
+    UINT(scene.largest) UINT(scene.included) UINT(scene.nonFinite) UINT(scene.noArea) UINT(scene.boundsBits[0])  \
+    UINT(scene.boundsBits[5])                                                                                    \
+    UINT(tree.magic) UINT(tree.format) UINT(tree.status) UINT(tree.levels) UINT(tree.triangleCount)              \
+    UINT(tree.nodeCount) UINT(tree.leafRefCount) UINT(tree.nonFinite) UINT(tree.noArea) INT(tree.exponent)       \
+    FLOAT(tree.bounds.lo.x) FLOAT(tree.bounds.hi.z) UINT(tree.wantedRefs) UINT(tree.wantedLevelNodes)            \
+    UINT(tree.wantedNodes) UINT(tree.wantedLeafRefs) UINT(tree.bytes.x) UINT(tree.bytes.y)                       \
+    UINT(tree.wantedBytes.x) UINT(tree.wantedBytes.y) UINT(tree.reserved.x) UINT(tree.reserved.y)                \
+    ADDRESS(tree.triangles, TreeTriangleArray) ADDRESS(tree.nodes, KdNodeArray)                                  \
+    ADDRESS(tree.leafRefs, UintArray)                                                                            \
+    FLOAT(treeTriangle.a.x) FLOAT(treeTriangle.b.y) FLOAT(treeTriangle.c.z) UINT(treeTriangle.number)            \
+    ADDRESS(geometry.vertices, FloatArray) ADDRESS(geometry.indices, UintArray)                                  \
+    ADDRESS(geometry.transform, FloatArray) UINT(geometry.stride) UINT(geometry.vertexCount)                     \
+    UINT(geometry.firstTriangle) UINT(geometry.indexBits) UINT(geometry.hasTransform) UINT(geometry.reserved)    \
+    UINT(trail.upper) UINT(trail.lower)                                                                          \
+    DOUBLE(camera.eye.x) DOUBLE(camera.forward.y) DOUBLE(camera.right.z) DOUBLE(camera.up.x)                     \
+    DOUBLE(camera.pixel) UINT(camera.width) UINT(camera.height) UINT(camera.orthographic) FLOAT(camera.tMax)     \
+    UINT(picture.lowBits) UINT(picture.highBits) UINT(picture.prefix) UINT(picture.rank)                         \
+    UINT(picture.histogram[0]) UINT(picture.histogram[255]) UINT(picture.primary.invalidRays)                    \
+    UINT(picture.shadow.unfinishedRays)                                                                          \
+    ADDRESS(buildArgs.state, BuildStateRef) ADDRESS(buildArgs.header, Tree) ADDRESS(buildArgs.list, UintArray)   \
+    UINT(buildArgs.triangleCount) UINT(buildArgs.numberCount) UINT(buildArgs.geometryCount)                      \
+    UINT(buildArgs.refCapacity) UINT(buildArgs.levelNodeCapacity) UINT(buildArgs.nodeCapacity)                   \
+    UINT(buildArgs.leafRefCapacity) UINT(buildArgs.binCount) UINT(buildArgs.exactUpTo) UINT(buildArgs.maxDepth)  \
+    UINT(buildArgs.clip) UINT(buildArgs.subsample) UINT(buildArgs.row) FLOAT(buildArgs.invBinCount)              \
+    FLOAT(buildArgs.costs.traverse) FLOAT(buildArgs.costs.intersect)                                             \
+    ADDRESS(pictureArgs.state, PictureStateRef) ADDRESS(pictureArgs.tree, Tree)                                  \
+    ADDRESS(pictureArgs.triangles, TriangleArray) ADDRESS(pictureArgs.materialOf, UintArray)                     \
+    ADDRESS(pictureArgs.baseColours, ColourArray) DOUBLE(pictureArgs.camera.pixel) UINT(pictureArgs.view)        \
+    UINT(pictureArgs.count)                                                                                      \
+    ADDRESS(buildPush.args, BuildArgsRef) UINT(buildPush.depth) UINT(buildPush.scans)                            \
+    ADDRESS(tracePush.tree, Tree) ADDRESS(tracePush.rays, RayArray) ADDRESS(tracePush.hits, HitArray)            \
+    ADDRESS(tracePush.steps, StepCountArray) ADDRESS(tracePush.counters, TraceCountersRef)                       \
+    ADDRESS(tracePush.trails, TrailArray) UINT(tracePush.rayCount) UINT(tracePush.stepLimit)                     \
+    UINT(tracePush.flags)                                                                                        \
+    ADDRESS(compactPush.from, Tree) ADDRESS(compactPush.to, Tree) UINT(compactPush.invocations)                  \
+    ADDRESS(picturePush.args, PictureArgsRef) UINT(picturePush.round)                                            \
+    ADDRESS(peerPush.scene, uvec2) ADDRESS(peerPush.rays, RayArray) ADDRESS(peerPush.hits, HitArray)             \
+    UINT(peerPush.rayCount) UINT(peerPush.reserved)
 
 // clang-format on
 
