@@ -3,11 +3,19 @@
 #include <gtest/gtest.h>
 
 #include "builders/builders.h"
+#include "gpu/commands.h"
 #include "judge/oracle.h"
 #include "peers/embree.h"
 #include "peers/stack_walk.h"
+#include "record/recorder.h"
+#include "run/device_tree.h"
+#include "shared/peer_trace.h"
 #include "support/device.h"
 #include "support/scenes.h"
+
+namespace cleave {
+std::span<const Spirv> peerTestKernels() noexcept;
+}
 
 namespace cleave::test {
 namespace {
@@ -84,6 +92,44 @@ TEST(Peers, StackWalkEqualsBruteForce) {
             ASSERT_EQ(hits[i].prim, c.closestHits[i].prim) << "seed " << seed << ", ray " << i;
         }
         EXPECT_EQ(disagreements(c.anyHits, walk->trace(c.rays, Query::any).hits, Query::any), 0u);
+    }
+}
+
+// cleave_ray_query.glsl: the shader that asks the driver (shaders/lib/peer_query.glsl) asks a tree of ours, and gets
+// what the tracer answers, bit for bit.
+TEST(RayQueryNames, AnswerLikeOurTracer) {
+    const Case c(7);
+    const auto tree = uploadTree(device(), c.set, c.tree);
+    const Buffer rays = uploaded(device(), std::span<const Ray>(c.rays));
+    const Buffer hits(device(), c.rays.size() * sizeof(Hit));
+    Functions functions;
+    ASSERT_EQ(functions.load(vkGetInstanceProcAddr, device().instance(), device().handle()), nullptr);
+    for (const Query query : {Query::closest, Query::any}) {
+        const uint32_t anyHit = query == Query::any ? 1 : 0;
+        const PipelineHome home{&functions, device().handle(), device().pipelineCache(), nullptr};
+        Kernel kernel;
+        ASSERT_EQ(
+            kernel.create(home, findSpirv(peerTestKernels(), "cleave_names"), sizeof(PeerTracePush), {&anyHit, 1}),
+            VK_SUCCESS);
+        PeerTracePush push{};
+        push.scene = tree->address();
+        push.rays = rays.address();
+        push.hits = hits.address();
+        push.rayCount = static_cast<uint32_t>(c.rays.size());
+        Commands commands(device());
+        commands.begin();
+        Recorder(functions, commands.handle()).dispatch(kernel, push, ceilDiv(push.rayCount, kGroup));
+        commands.run();
+        const std::vector<Hit> found = hits.download<Hit>(c.rays.size());
+        for (size_t i = 0; i < found.size(); i++) {
+            const Hit& expected = c.hits(query)[i];
+            ASSERT_EQ(found[i].prim == kNone, expected.prim == kNone) << "ray " << i;
+            if (query == Query::any) continue;
+            ASSERT_EQ(found[i].t, expected.t) << "ray " << i;
+            ASSERT_EQ(found[i].prim, expected.prim) << "ray " << i;
+            ASSERT_EQ(found[i].u, expected.u) << "ray " << i;
+            ASSERT_EQ(found[i].v, expected.v) << "ray " << i;
+        }
     }
 }
 

@@ -34,7 +34,7 @@ install(TARGETS cleave_library cleave_glsl_library EXPORT cleaveTargets)
 install(EXPORT cleaveTargets NAMESPACE cleave:: DESTINATION ${packageDir})
 install(FILES host/include/cleave/cleave.hpp host/include/cleave/modes.hpp
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/cleave)
-install(FILES ${cleaveGlsl}/cleave.glsl DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(FILES ${cleaveGlsl}/cleave.glsl ${cleaveGlsl}/cleave_ray_query.glsl DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 
 if(CLEAVE_SCENE)
   # It has the objects of cleave::cleave too, since it uses more of them than the public headers show.
