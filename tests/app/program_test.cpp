@@ -262,7 +262,9 @@ TEST_F(Program, BenchComparesPeersOnTheSameRays) {
             EXPECT_GT(peer["sets"][set]["mraysPerSecond"], 0.0) << name << ", " << set;
         }
     }
-    EXPECT_GT(report["sets"]["primary"]["work"]["inner"], 0.0);
+    const Json& work = report["sets"]["primary"]["work"];
+    EXPECT_GT(work["leaves"], 0.0);
+    EXPECT_EQ(work["triangles"], 4.0 * work["leaves"].get<double>()) << "a tetrahedron is one leaf";
 }
 
 TEST_F(Program, BenchShowsBuildersSideBySide) {
