@@ -24,8 +24,8 @@ TEST(TraceStack, HoldsAChildOfEveryDepth) {
     expectAnswers(chain.set, chain.tree, chain.rays, Traversal::stack);
 }
 
-// Both take the same way, but for cells that rounding lets the stack's ray see where it only passes by; the one without a
-// stack walks parts of it again.
+// Both take the same way, but for cells that rounding lets the stack's ray see where it only passes by; the one without
+// a stack walks parts of it again.
 TEST(TraceStack, VisitsTheSameLeavesAndNoNodeTwice) {
     const TriangleSet set = mixedSet(2000, 3);
     const auto tree = uploadTree(device(), set, buildExact(set, BuildSettings{}));
