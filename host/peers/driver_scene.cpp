@@ -50,16 +50,6 @@ VkAccelerationStructureInstanceKHR instanceOf(uint64_t bottom) {
     return instance;
 }
 
-uint64_t scratchAlignment(const Device& device) {
-    VkPhysicalDeviceAccelerationStructurePropertiesKHR structure{};
-    structure.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_PROPERTIES_KHR;
-    VkPhysicalDeviceProperties2 properties{};
-    properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
-    properties.pNext = &structure;
-    vkGetPhysicalDeviceProperties2(device.physicalDevice(), &properties);
-    return structure.minAccelerationStructureScratchOffsetAlignment;
-}
-
 }  // namespace
 
 void waitForAll(VkCommandBuffer commands) {
@@ -94,9 +84,11 @@ class AccelerationStructure {
                                                                        "vkGetAccelerationStructureBuildSizesKHR")(
             device.handle(), VK_ACCELERATION_STRUCTURE_BUILD_TYPE_DEVICE_KHR, &info_, &count, &sizes);
         create(type, sizes.accelerationStructureSize);
-        const uint64_t alignment = scratchAlignment(device);
+        const uint64_t alignment = extensionProperties<VkPhysicalDeviceAccelerationStructurePropertiesKHR>(
+                                       device, VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ACCELERATION_STRUCTURE_PROPERTIES_KHR)
+                                       .minAccelerationStructureScratchOffsetAlignment;
         scratch_ = Buffer(device, sizes.buildScratchSize + alignment);
-        info_.scratchData.deviceAddress = (scratch_.address() + alignment - 1) / alignment * alignment;
+        info_.scratchData.deviceAddress = roundedUp(scratch_.address(), alignment);
         build_ =
             extensionFunction<PFN_vkCmdBuildAccelerationStructuresKHR>(device, "vkCmdBuildAccelerationStructuresKHR");
     }

@@ -17,6 +17,20 @@ Function extensionFunction(const Device& device, const char* name) {
     return reinterpret_cast<Function>(vkGetDeviceProcAddr(device.handle(), name));
 }
 
+// What the device tells of an extension, as the structure of that type.
+template <class Properties>
+Properties extensionProperties(const Device& device, VkStructureType type) {
+    Properties asked{};
+    asked.sType = type;
+    VkPhysicalDeviceProperties2 properties{};
+    properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
+    properties.pNext = &asked;
+    vkGetPhysicalDeviceProperties2(device.physicalDevice(), &properties);
+    return asked;
+}
+
+inline uint64_t roundedUp(uint64_t value, uint64_t to) { return (value + to - 1) / to * to; }
+
 // What was recorded before is done, and visible to all that comes after, on the host, too.
 void waitForAll(VkCommandBuffer commands);
 

@@ -78,24 +78,13 @@ Pipeline createPipeline(const Device& device, VkPipelineLayout layout, uint32_t 
     return pipeline;
 }
 
-VkPhysicalDeviceRayTracingPipelinePropertiesKHR propertiesOf(const Device& device) {
-    VkPhysicalDeviceRayTracingPipelinePropertiesKHR pipeline{};
-    pipeline.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_TRACING_PIPELINE_PROPERTIES_KHR;
-    VkPhysicalDeviceProperties2 properties{};
-    properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
-    properties.pNext = &pipeline;
-    vkGetPhysicalDeviceProperties2(device.physicalDevice(), &properties);
-    return pipeline;
-}
-
-uint64_t roundedUp(uint64_t value, uint64_t to) { return (value + to - 1) / to * to; }
-
 // Which shaders a launch runs: a handle per group, each where a region of the table may begin.
 class BindingTable {
   public:
     BindingTable() = default;
     BindingTable(Device& device, VkPipeline pipeline) {
-        const auto properties = propertiesOf(device);
+        const auto properties = extensionProperties<VkPhysicalDeviceRayTracingPipelinePropertiesKHR>(
+            device, VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RAY_TRACING_PIPELINE_PROPERTIES_KHR);
         const uint64_t base = properties.shaderGroupBaseAlignment, handle = properties.shaderGroupHandleSize;
         stride_ = roundedUp(handle, std::max<uint64_t>(base, properties.shaderGroupHandleAlignment));
         std::vector<char> handles(kStageCount * handle);

@@ -73,9 +73,11 @@ KdTree readBack(const DeviceTree& device) {
     tree.exponent = h.exponent;
     read(h.nodes, tree.nodes, h.nodeCount);
     read(h.leafRefs, tree.leafTriangles, h.leafRefCount);
-    std::vector<TreeTriangle> triangles;
-    read(h.triangles, triangles, h.triangleCount);
-    for (uint32_t& triangle : tree.leafTriangles) triangle = triangles[triangle].number;
+    if (device.isOfList) {
+        std::vector<TreeTriangle> triangles;
+        read(h.triangles, triangles, h.triangleCount);
+        for (uint32_t& triangle : tree.leafTriangles) triangle = triangles[triangle].number;
+    }
     return tree;
 }
 

@@ -25,6 +25,7 @@ struct DeviceTriangles {
 struct DeviceTree {
     Buffer memory;
     TreeHeader header{};
+    bool isOfList = false;  // built over some of the triangles: their numbers are not their indices
 
     uint64_t address() const { return memory.address(); }
     Box bounds() const;

@@ -104,6 +104,7 @@ GpuBuilder::Result GpuBuilder::build(const DeviceTriangles& triangles, const Bui
         if (!result.memoryLimited || !growCapacity(info, header.wanted, settings.memory)) break;
     }
     result.tree = s.compacted(header);
+    result.tree->isOfList = info.listCount > 0;
     result.levels = header.levels;
     result.peakBytes = s.scratch.bytes() + s.tree.bytes() + result.tree->memory.size();
     result.ms = watch.milliseconds();

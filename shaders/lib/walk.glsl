@@ -135,9 +135,10 @@ bool enterRoot(Box box, ScaledRay ray, out Walk walk, out float tMin, out float 
         bool tiny = abs(ray.direction[axis]) < kLeastDirection;
         float along = tiny ? (negative ? -1.0 : 1.0) / kLeastDirection : inverse[axis];
         float around = error + (tiny ? abs(origin[axis]) * 2.4e-07 + 3.2e-19 : 0.0);
+        float ahead = negative ? -around : around;
         if (negative) walk.signs |= 1u << axis;
-        walk.lowOrigin[axis] = origin[axis] + (negative ? -around : around);
-        walk.highOrigin[axis] = origin[axis] - (negative ? -around : around);
+        walk.lowOrigin[axis] = origin[axis] + ahead;
+        walk.highOrigin[axis] = origin[axis] - ahead;
         walk.lowInverse[axis] = along * (1.0 - kWiden);
         walk.highInverse[axis] = along * (1.0 + kWiden);
     }

@@ -109,8 +109,9 @@ CLEAVE_FN FilteredHit filterTriangle(vec3 origin, vec3 direction, vec3 a, vec3 b
     float size = abs(det);
     bool knowsT = reach < kFilterReach && size > 3.0517578125e-05f * edge * edge + 1.0e-30f;
     float inverse = 1.0f / size;
-    float distance = abs(preciseDot(e2, q)) * inverse;
-    float t = (preciseDot(e2, q) < 0.0f) == (det < 0.0f) ? distance : -distance;
+    float n = preciseDot(e2, q);
+    float distance = abs(n) * inverse;
+    float t = (n < 0.0f) == (det < 0.0f) ? distance : -distance;
     float slack =
         inverse * (7.62939453125e-06f * edge * edge * (reach + 2.0f * distance) + 1.0e-36f * (1.0f + distance)) +
         9.5367431640625e-07f * distance;
