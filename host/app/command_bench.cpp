@@ -95,9 +95,27 @@ Json modeJson(const ModeFigures& mode) {
             {"check", checkJson(sum)}};
 }
 
+Json profileJson(const BuildProfile& profile) {
+    Json json{{"passes", Json::array()}, {"levels", Json::array()}};
+    for (const PassWork& p : profile.passes)
+        json["passes"].push_back({{"pass", p.name},
+                                  {"ms", numberJson(p.ms)},
+                                  {"runs", p.runs},
+                                  {"workgroups", p.workgroups},
+                                  {"elements", p.elements},
+                                  {"of", p.what}});
+    for (const LevelWork& l : profile.levels)
+        json["levels"].push_back({{"ms", numberJson(l.ms)},
+                                  {"references", l.references},
+                                  {"nodes", l.nodes},
+                                  {"smallNodes", l.smallNodes}});
+    return json;
+}
+
 // The first mode's figures at the top; all of them in `modes` where there are several.
 Json builderJson(const BuilderFigures& figures) {
     Json report{{"build", buildJson(figures.built)}};
+    if (!figures.built.profile.levels.empty()) report["build"]["profile"] = profileJson(figures.built.profile);
     report.update(modeJson(figures.modes.front()));
     if (figures.modes.size() == 1) return report;
     for (const ModeFigures& mode : figures.modes) report["modes"].push_back(modeJson(mode));
@@ -121,7 +139,7 @@ Json benchScene(Run& run, const std::filesystem::path& file) {
 
     run.print(oneLine(file.filename().string()) + ": " + grouped(session.posed().triangles.size()) + " triangles, " +
               oneLine(run.device.name().value_or("")) + ", median of " + std::to_string(run.options.runs) + "\n" +
-              treeTable(all, session.set().included.size()) + rayTable(all) + (run.options.work ? workTable(all) : "") +
+              treeTable(all, session.set().included.size()) + rayTable(all) + (run.options.work ? workTable(all) + passTable(all) : "") +
               kernelLines(all) + (run.options.peers ? peerTable(all, peers) : "") + "\n");
     Json report{{"scene", sceneJson(session)}};
     report.update(builderJson(all.front()));

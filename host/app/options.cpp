@@ -243,7 +243,7 @@ void addBench(CLI::App& app, Options& options) {
     addTraversal(app, options, true);
     CLI::Option* survey =
         app.add_flag("--survey", options.survey, "the survey's tables, measured again with each of its builders");
-    app.add_flag("--work", options.work, "nodes, triangle tests and lanes in use per ray, too");
+    app.add_flag("--work", options.work, "nodes, triangle tests and lanes in use per ray, time per pass and level of a build on the device, too");
     app.add_flag("--peers", options.peers,
                  "beside other ray tracers: the driver's own, Embree, a plain stack walk in C++");
     for (const char* fixed : {"--builder", "--traversal", "--triangle-test", "--peers", "--work"})

@@ -85,7 +85,7 @@ BuiltTree Session::build(Builder builder, uint32_t runs) {
 
 void Session::profile(BuiltTree& built) {
     if (built.builder != Builder::gpu) return;
-    built.passes = run_.device.builder().profile(trianglesOnDevice(), run_.options.settings);
+    built.profile = run_.device.builder().profile(trianglesOnDevice(), run_.options.settings);
 }
 
 const DeviceTree& Session::upload(BuiltTree& built) {

@@ -37,6 +37,12 @@ Row treeRow(const BuiltTree& built, const TreeStatistics* exact, uint64_t includ
     return row;
 }
 
+double totalMs(const BuildProfile& profile) {
+    double sum = 0.0;
+    for (const PassWork& pass : profile.passes) sum += pass.ms;
+    return sum;
+}
+
 // Of the triangle tests of all sets.
 std::string resolvedText(const ModeFigures& mode) {
     double resolved = 0.0, tests = 0.0;
@@ -106,6 +112,31 @@ std::string workTable(const std::vector<BuilderFigures>& figures) {
     return alignedTable(rows, "llllrrrrrr");
 }
 
+std::string passTable(const std::vector<BuilderFigures>& figures) {
+    std::vector<Row> passes{{"builder", "pass", "ms", "of all", "runs", "workgroups", "ns each", "elements", "", "ns each",
+                  "ns/reference", "ns/node"}};
+    std::vector<Row> levels{{"builder", "level", "ms", "references", "nodes", "small nodes", "ns/reference", "ns/node"}};
+    const auto each = [](double ms, uint64_t n) { return n == 0 ? std::string("-") : fixed(ms * 1e6 / double(n), 1); };
+    for (const BuilderFigures& f : figures) {
+        const BuildProfile& profile = f.built.profile;
+        const double sum = totalMs(profile);
+        if (!(sum > 0.0)) continue;
+        uint64_t references = 0;
+        for (const LevelWork& level : profile.levels) references += level.references;
+        for (const PassWork& p : profile.passes)
+            passes.push_back({nameOf(f.built.builder), p.name, fixed(p.ms, 3), fixed(100.0 * p.ms / sum, 1) + " %",
+                              grouped(p.runs), grouped(p.workgroups), each(p.ms, p.workgroups), grouped(p.elements),
+                              p.what, each(p.ms, p.elements), each(p.ms, references), each(p.ms, profile.nodes)});
+        for (size_t depth = 0; depth < profile.levels.size(); depth++) {
+            const LevelWork& l = profile.levels[depth];
+            levels.push_back({nameOf(f.built.builder), grouped(depth), fixed(l.ms, 3), grouped(l.references),
+                              grouped(l.nodes), grouped(l.smallNodes), each(l.ms, l.references), each(l.ms, l.nodes)});
+        }
+    }
+    if (passes.size() == 1) return "";
+    return alignedTable(passes, "llrrrrrrlrrr") + alignedTable(levels, "lrrrrrrr");
+}
+
 std::string hitsHash(std::span<const Hit> hits, Query query) {
     Hash hash;
     for (const Hit& hit : hits) {
@@ -124,13 +155,12 @@ std::string hitsHash(std::span<const Hit> hits, Query query) {
 std::string kernelLines(const std::vector<BuilderFigures>& figures) {
     std::string lines;
     for (const BuilderFigures& f : figures) {
-        std::vector<PassTime> kernels = f.built.passes;
+        std::vector<PassWork> kernels = f.built.profile.passes;
         std::sort(kernels.begin(), kernels.end(), [](const auto& a, const auto& b) { return a.ms > b.ms; });
-        double sum = 0.0;
-        for (const PassTime& kernel : kernels) sum += kernel.ms;
+        const double sum = totalMs(f.built.profile);
         if (!(sum > 0.0)) continue;
         lines += nameOf(f.built.builder) + " build by kernel, %:";
-        for (const PassTime& kernel : kernels) lines += " " + kernel.name + " " + fixed(100.0 * kernel.ms / sum, 1);
+        for (const PassWork& kernel : kernels) lines += " " + kernel.name + " " + fixed(100.0 * kernel.ms / sum, 1);
         lines += "\n";
     }
     return lines;

@@ -46,6 +46,10 @@ std::string rayTable(const std::vector<BuilderFigures>& figures);
 // A row per builder, mode and set of rays: what a ray does on its way.
 std::string workTable(const std::vector<BuilderFigures>& figures);
 
+// A row per pass of each build on the device, and one per level: its time for each element, reference of a level and
+// node of the tree. Empty without such a build.
+std::string passTable(const std::vector<BuilderFigures>& figures);
+
 // A hash of the answers, 16 hexadecimal digits: of every bit of closest hits, in the order of their rays. Of any hits
 // only which rays hit counts, for the triangle that is found first depends on the tree.
 std::string hitsHash(std::span<const Hit> hits, Query query);

@@ -30,8 +30,8 @@ struct BuiltTree {
     // memory.
     uint64_t peakBytes = 0;
     bool memoryLimited = false;
-    uint32_t attempts = 1;         // GPU: 1 + how often the capacity was too small and the build was done once more
-    std::vector<PassTime> passes;  // see Session::profile
+    uint32_t attempts = 1;  // GPU: 1 + how often the capacity was too small and the build was done once more
+    BuildProfile profile;   // GPU, see Session::profile
 };
 
 // A line each for the terminal.

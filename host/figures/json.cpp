@@ -12,7 +12,7 @@ Json numberJson(double value) { return std::isfinite(value) ? Json(value) : Json
 Json buildJson(const BuiltTree& built) {
     const TreeStatistics& s = built.statistics;
     Json kernels = Json::object();
-    for (const PassTime& kernel : built.passes) kernels[kernel.name] = numberJson(kernel.ms);
+    for (const PassWork& kernel : built.profile.passes) kernels[kernel.name] = numberJson(kernel.ms);
     return {{"builder", nameOf(built.builder)},
             {"ms", numberJson(built.ms)},
             {"runsMs", built.runs},

@@ -71,6 +71,7 @@ void Commands::begin() {
     wait();
     stamps_.clear();
     passTimes_.clear();
+    stampMilliseconds_.clear();
     VkCommandBufferBeginInfo begin{};
     begin.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
     begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
@@ -143,7 +144,8 @@ void Commands::readClock() {
         auto known = std::find_if(passTimes_.begin(), passTimes_.end(),
                                   [&](const PassTime& time) { return time.name == stamps_[i]; });
         if (known == passTimes_.end()) known = passTimes_.insert(known, PassTime{stamps_[i]});
-        known->ms += between(i == 0 ? ticks[0] : ticks[1 + i], ticks[2 + i]);
+        stampMilliseconds_.push_back(between(i == 0 ? ticks[0] : ticks[1 + i], ticks[2 + i]));
+        known->ms += stampMilliseconds_.back();
     }
 }
 

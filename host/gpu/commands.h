@@ -43,6 +43,8 @@ class Commands {
     double milliseconds() const { return milliseconds_; }
     // By name, in the order in which they came first.
     const std::vector<PassTime>& passTimes() const { return passTimes_; }
+    // Of each stamp, in order.
+    const std::vector<double>& stampMilliseconds() const { return stampMilliseconds_; }
 
   private:
     Device& device_;
@@ -55,6 +57,7 @@ class Commands {
     double milliseconds_ = 0.0;
     double submittedAt_ = 0.0;
     std::vector<PassTime> passTimes_;
+    std::vector<double> stampMilliseconds_;
 
     void readClock();
 };

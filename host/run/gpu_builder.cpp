@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/stopwatch.h"
+#include "core/build_layout.h"
 #include "core/build_passes.h"
 #include "run/context_of.h"
 #include "run/ranges.h"
@@ -111,7 +112,7 @@ GpuBuilder::Result GpuBuilder::build(const DeviceTriangles& triangles, const Bui
     return result;
 }
 
-std::vector<PassTime> GpuBuilder::profile(const DeviceTriangles& triangles, const BuildSettings& settings) {
+BuildProfile GpuBuilder::profile(const DeviceTriangles& triangles, const BuildSettings& settings) {
     State& s = *state_;
     const Geometry geometry = triangles.geometry();
     BuildInfo info = infoOf(geometry, settings, s.device);
@@ -120,8 +121,11 @@ std::vector<PassTime> GpuBuilder::profile(const DeviceTriangles& triangles, cons
     Commands timed(s.device, kMostStamps);
     info.onPass = [](void* user, VkCommandBuffer, const char* pass) { static_cast<Commands*>(user)->stamp(pass); };
     info.user = &timed;
-    s.run(timed, info);
-    return timed.passTimes();
+    const TreeHeader header = s.run(timed, info);
+    BuildState state;
+    const Place& at = scratchLayout(countsOf(info), info.largestRange).state;
+    s.scratch.buffer(at.range).read(at.offset, &state, sizeof(state));
+    return profileOf(timed.stampMilliseconds(), state, header.triangleCount);
 }
 
 }  // namespace cleave

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gpu/commands.h"
+#include "run/build_profile.h"
 #include "run/device_tree.h"
 
 namespace cleave {
@@ -27,9 +28,9 @@ class GpuBuilder {
     // `list`: ascending numbers of the triangles that the tree is built over; empty: all.
     Result build(const DeviceTriangles& triangles, const BuildSettings& settings, std::span<const uint32_t> list = {});
 
-    // Builds once more, with the clock read after every pass: what each takes. With the capacity that the last build
-    // needed, so that it follows one with the same settings.
-    std::vector<PassTime> profile(const DeviceTriangles& triangles, const BuildSettings& settings);
+    // Builds once more, with the clock read after every pass. With the capacity that the last build needed, so that it
+    // follows one with the same settings. Without a clock on the queue all times are 0.
+    BuildProfile profile(const DeviceTriangles& triangles, const BuildSettings& settings);
 
   private:
     struct State;
