@@ -105,10 +105,7 @@ Json profileJson(const BuildProfile& profile) {
                                   {"elements", p.elements},
                                   {"of", p.what}});
     for (const LevelWork& l : profile.levels)
-        json["levels"].push_back({{"ms", numberJson(l.ms)},
-                                  {"references", l.references},
-                                  {"nodes", l.nodes},
-                                  {"smallNodes", l.smallNodes}});
+        json["levels"].push_back({{"ms", numberJson(l.ms)}, {"references", l.references}, {"nodes", l.nodes}});
     return json;
 }
 
@@ -139,8 +136,9 @@ Json benchScene(Run& run, const std::filesystem::path& file) {
 
     run.print(oneLine(file.filename().string()) + ": " + grouped(session.posed().triangles.size()) + " triangles, " +
               oneLine(run.device.name().value_or("")) + ", median of " + std::to_string(run.options.runs) + "\n" +
-              treeTable(all, session.set().included.size()) + rayTable(all) + (run.options.work ? workTable(all) + passTable(all) : "") +
-              kernelLines(all) + (run.options.peers ? peerTable(all, peers) : "") + "\n");
+              treeTable(all, session.set().included.size()) + rayTable(all) +
+              (run.options.work ? workTable(all) + passTable(all) : "") + kernelLines(all) +
+              (run.options.peers ? peerTable(all, peers) : "") + "\n");
     Json report{{"scene", sceneJson(session)}};
     report.update(builderJson(all.front()));
     for (const PeerFigures& figures : peers) report["peers"].push_back(peerJson(figures));

@@ -21,17 +21,16 @@ namespace cleave {
 
 // Run on every level.
 #define CLEAVE_LEVEL_PASSES(ROW)                               \
-    ROW(bounds, bounds, perChunk, block, 0)                    \
-    ROW(bin, bin, perChunk, block, 0)                          \
-    ROW(choose_split, chooseSplit, perChunkGroup, own, 0)      \
-    ROW(nearest, nearest, perChunk, block, 0)                  \
+    ROW(bounds, bounds, perChunk, chunk, 0)                    \
+    ROW(bin, bin, perChunk, chunk, 0)                          \
+    ROW(choose_split, chooseSplit, perChunk, chunk, 0)         \
+    ROW(nearest, nearest, perChunk, chunk, 0)                  \
     ROW(snap, snap, perChunkGroup, own, 0)                     \
-    ROW(exact_split, exactSplit, perSmall, small, 0)           \
+    ROW(exact_split, exactSplit, perRefBlock, block, 0)        \
     ROW(classify, classify, perRefBlock, block, 0)             \
     ROW(scan, scanRefs, once, own, kScanRefs)                  \
     ROW(offsets, offsets, perRefBlock, block, 0)               \
     ROW(count_children, countChildren, perNodeBlock, block, 0) \
-    ROW(scan, scanNodes, once, own, kScanNodes)                \
     ROW(next_level, nextLevel, once, own, 0)                   \
     ROW(emit_nodes, emitNodes, perNodeBlock, block, 0)         \
     ROW(partition, partition, perRefGroup, own, 0)
@@ -40,8 +39,8 @@ namespace cleave {
 #define CLEAVE_LAST_PASSES(ROW) ROW(finish_tree, finishTree, once, own, 0)
 
 // Lanes of a workgroup: the kernel's own number, or a specialisation constant that suits the device: one for kernels
-// that treat a block of items, one for a small node.
-enum class Lanes { own, block, small };
+// that treat a block of items, one for those that treat a chunk.
+enum class Lanes { own, block, chunk };
 
 struct BuildPass {
     const char* kernel;

@@ -10,17 +10,21 @@
 namespace cleave {
 namespace {
 
-// Lanes of a workgroup. A CPU device runs 8 lanes at once and pays for each barrier by the lane.
+constexpr uint32_t kMostChunkLanes = 64;
+
+// Lanes of a workgroup, powers of two up to kLargestGroup. A CPU device runs 8 lanes at once and pays for each barrier
+// by the lane. On a GPU a lane per item of a block hides the latency of loads; a chunk's lanes add to the same few
+// counters, so that more of them wait for each other.
 struct GroupSizes {
-    uint32_t block = 64;
-    uint32_t small = 32;
+    uint32_t block = 256;
+    uint32_t chunk = kMostChunkLanes;
+    uint32_t refsPerLane = 1;  // in exact_split: of a CPU's few lanes each makes more of a load this way
 };
 
-GroupSizes groupSizes(const VkPhysicalDeviceProperties& properties) {
-    return properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? GroupSizes{8, 8} : GroupSizes{};
+GroupSizes groupSizes(const VkPhysicalDeviceProperties& properties, uint32_t asked) {
+    if (asked != 0) return {asked, std::min(asked, kMostChunkLanes), 1};
+    return properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? GroupSizes{8, 8, 4} : GroupSizes{};
 }
-
-constexpr uint32_t kLargestGroup = 256;  // of `scan`
 
 // Creates kernels and remembers what failed first.
 struct Creation {
@@ -41,8 +45,8 @@ bool createBuildKernels(Creation& creation, Context::State& state, const GroupSi
             const bool known = std::any_of(state.buildKernels.begin(), state.buildKernels.end(),
                                            [&](const Kernel& k) { return k.name() == pass.kernel; });
             if (known) continue;
-            const uint32_t lanes = pass.lanes == Lanes::block ? sizes.block : sizes.small;
-            const std::span<const uint32_t> constants(&lanes, pass.lanes == Lanes::own ? 0 : 1);
+            const uint32_t suited[] = {pass.lanes == Lanes::block ? sizes.block : sizes.chunk, sizes.refsPerLane};
+            const std::span<const uint32_t> constants(suited, pass.lanes == Lanes::own ? 0 : 2);
             if (!creation.create(state.buildKernels.emplace_back(), pass.kernel, sizeof(BuildPush), constants))
                 return false;
         }
@@ -83,7 +87,7 @@ void createInto(NewContext& result, Context::State& state, const ContextInfo& in
     if (info.longestRow != 0) state.row = info.longestRow;
     const PipelineHome home{&state.functions, info.device, info.pipelineCache, info.allocator};
     Creation creation{home, result};
-    if (info.builds && !createBuildKernels(creation, state, groupSizes(properties))) return;
+    if (info.builds && !createBuildKernels(creation, state, groupSizes(properties, info.groupLanes))) return;
     const std::span<const TraceMode> modes =
         info.modes ? std::span(info.modes, info.modeCount) : std::span<const TraceMode>(kDefaultModes);
     createTraceKernels(creation, state, modes);

@@ -113,9 +113,9 @@ std::string workTable(const std::vector<BuilderFigures>& figures) {
 }
 
 std::string passTable(const std::vector<BuilderFigures>& figures) {
-    std::vector<Row> passes{{"builder", "pass", "ms", "of all", "runs", "workgroups", "ns each", "elements", "", "ns each",
-                  "ns/reference", "ns/node"}};
-    std::vector<Row> levels{{"builder", "level", "ms", "references", "nodes", "small nodes", "ns/reference", "ns/node"}};
+    std::vector<Row> passes{{"builder", "pass", "ms", "of all", "runs", "workgroups", "ns each", "elements", "",
+                             "ns each", "ns/reference", "ns/node"}};
+    std::vector<Row> levels{{"builder", "level", "ms", "references", "nodes", "ns/reference", "ns/node"}};
     const auto each = [](double ms, uint64_t n) { return n == 0 ? std::string("-") : fixed(ms * 1e6 / double(n), 1); };
     for (const BuilderFigures& f : figures) {
         const BuildProfile& profile = f.built.profile;
@@ -130,11 +130,11 @@ std::string passTable(const std::vector<BuilderFigures>& figures) {
         for (size_t depth = 0; depth < profile.levels.size(); depth++) {
             const LevelWork& l = profile.levels[depth];
             levels.push_back({nameOf(f.built.builder), grouped(depth), fixed(l.ms, 3), grouped(l.references),
-                              grouped(l.nodes), grouped(l.smallNodes), each(l.ms, l.references), each(l.ms, l.nodes)});
+                              grouped(l.nodes), each(l.ms, l.references), each(l.ms, l.nodes)});
         }
     }
     if (passes.size() == 1) return "";
-    return alignedTable(passes, "llrrrrrrlrrr") + alignedTable(levels, "lrrrrrrr");
+    return alignedTable(passes, "llrrrrrrlrrr") + alignedTable(levels, "lrrrrrr");
 }
 
 std::string hitsHash(std::span<const Hit> hits, Query query) {

@@ -29,7 +29,6 @@ void add(PassWork& work, const BuildPass& pass, const Level& level, double ms) {
         treats("references", level.refCount);
     if (pass.groups == offsetof(Level, perChunk) || pass.groups == offsetof(Level, perChunkGroup))
         treats("chunks", level.chunkCount);
-    if (pass.groups == offsetof(Level, perSmall)) treats("small nodes", level.smallCount);
     if (pass.groups == offsetof(Level, perNodeBlock)) treats("nodes", level.nodeCount);
 }
 
@@ -41,13 +40,13 @@ BuildProfile profileOf(std::span<const double> ms, const BuildState& state, uint
     size_t next = 0;
     const auto take = [&] { return next < ms.size() ? ms[next++] : 0.0; };
     workOf(profile.passes, "arguments").ms = take();
-    const Level input = levelOf(triangles, 1, 0, 0, kLongestRow);
+    const Level input = levelOf(triangles, 1, 0, kLongestRow);
     for (const BuildPass& pass : kSetupPasses) add(workOf(profile.passes, pass.kernel), pass, input, take());
     // A build records as many levels as its triangles can need; the others cost an empty dispatch a pass.
     const size_t recorded = (ms.size() - next - std::size(kLastPasses)) / std::size(kLevelPasses);
     for (size_t depth = 0; depth < recorded; depth++) {
         const Level& level = state.level[depth];
-        LevelWork sum{level.refCount, level.nodeCount, level.smallCount, 0.0};
+        LevelWork sum{level.refCount, level.nodeCount, 0.0};
         for (const BuildPass& pass : kLevelPasses) {
             const double time = take();
             add(workOf(profile.passes, pass.kernel), pass, level, time);

@@ -16,8 +16,8 @@ struct PassWork {
     double ms = 0.0;
     uint64_t runs = 0;        // those with something to do
     uint64_t workgroups = 0;  // of these
-    // What the pass treats one by one, summed over its runs: references, chunks, nodes or small nodes; `what` says
-    // which. Passes that treat a level as a whole have no elements.
+    // What the pass treats one by one, summed over its runs: references, chunks or nodes; `what` says which. Passes
+    // that treat a level as a whole have no elements.
     const char* what = "";
     uint64_t elements = 0;
 };
@@ -25,7 +25,6 @@ struct PassWork {
 struct LevelWork {
     uint64_t references = 0;
     uint64_t nodes = 0;
-    uint64_t smallNodes = 0;  // split by exact SAH
     double ms = 0.0;
 };
 

@@ -4,7 +4,8 @@
 
 namespace cleave {
 
-std::unique_ptr<Context> contextOf(const Device& device, std::span<const TraceMode> modes, bool builds) {
+std::unique_ptr<Context> contextOf(const Device& device, std::span<const TraceMode> modes, bool builds,
+                                   uint32_t groupLanes) {
     static constexpr TraceMode kNone{};  // modes without any are not the default ones
     ContextInfo info;
     info.instance = device.instance();
@@ -16,6 +17,7 @@ std::unique_ptr<Context> contextOf(const Device& device, std::span<const TraceMo
     info.modeCount = static_cast<uint32_t>(modes.size());
     info.builds = builds;
     info.longestRow = device.longestRow();
+    info.groupLanes = groupLanes;
     NewContext made = createContext(info);
     check(made.result, std::string("creating the pipeline of kernel ") + made.failed);
     return std::move(made.context);

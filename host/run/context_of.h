@@ -10,6 +10,7 @@
 namespace cleave {
 
 // Throws Error.
-std::unique_ptr<Context> contextOf(const Device& device, std::span<const TraceMode> modes, bool builds);
+std::unique_ptr<Context> contextOf(const Device& device, std::span<const TraceMode> modes, bool builds,
+                                   uint32_t groupLanes = 0);
 
 }  // namespace cleave

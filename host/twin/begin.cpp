@@ -5,7 +5,6 @@ namespace cleave::twin {
 void begin(BuildArrays& a, uint32_t) {
     const uint32_t n = a.state.refTotals.x;
     const uint32_t chunks = chunksOf(n, a.args.exactUpTo);
-    const uint32_t smalls = smallsOf(n, a.args.exactUpTo);
     a.state.scene.included = n;
     a.nodes0[0] = buildNode(rootCell(a.state.scene), 0, n, 0, 0);
     for (uint32_t c = 0; c < chunks; c++) a.chunks[c] = chunkOf(0, 0, n, c);
@@ -14,10 +13,9 @@ void begin(BuildArrays& a, uint32_t) {
             a.bounds[k] = 0xFFFFFFFFu;
             a.bounds[3 + k] = 0;
         }
-    if (smalls > 0) a.smallNodes[0] = 0;
     a.state.nodesUsed = 1;
     a.state.maxDepth = depthLimit(a.args.maxDepth, n);
-    a.state.level[0] = levelOf(n, 1, chunks, smalls, a.args.row);
+    a.state.level[0] = levelOf(n, 1, chunks, a.args.row);
 }
 
 }  // namespace cleave::twin

@@ -12,7 +12,7 @@ glm::uvec4 nodeCounts(const BuildArrays& a, const BuildNode& node) {
     if (node.split.axis == kLeafAxis) return {0, node.count, 0, 0};
     const Children c = childrenOf(a, node);
     const uint32_t upTo = a.args.exactUpTo;
-    return {1, 0, chunksOf(c.left, upTo) + chunksOf(c.right, upTo), smallsOf(c.left, upTo) + smallsOf(c.right, upTo)};
+    return {1, 0, chunksOf(c.left, upTo) + chunksOf(c.right, upTo), 0};
 }
 
 void countChildren(BuildArrays& a, uint32_t depth) {

@@ -27,8 +27,9 @@ Split bestFace(SahCosts costs, const PrimRef* refs, const BuildNode& node) {
 }  // namespace
 
 void exactSplit(BuildArrays& a, uint32_t depth) {
-    for (uint32_t s = 0; s < a.state.level[depth].smallCount; s++) {
-        BuildNode& node = a.nodesIn(depth)[a.smallNodes[s]];
+    for (uint32_t n = 0; n < a.state.level[depth].nodeCount; n++) {
+        BuildNode& node = a.nodesIn(depth)[n];
+        if (isLarge(node.count, a.args.exactUpTo)) continue;
         const Split best = bestFace(a.args.costs, &a.refsIn(depth)[node.first], node);
         if (isWorthwhile(a.args.costs, best, node.cell, node.count, depth, a.state.maxDepth)) node.split = best;
     }

@@ -4,10 +4,11 @@ namespace cleave::twin {
 
 void nextLevel(BuildArrays& a, uint32_t depth) {
     BuildState& s = a.state;
+    const glm::uvec4 totals = scanBlocks(a.nodeSums, s.level[depth].nodeCount);
     const uint32_t refs = s.refTotals.x + s.refTotals.y;
-    const uint32_t levelNodes = 2 * s.nodeTotals.x;
+    const uint32_t levelNodes = 2 * totals.x;
     const uint32_t nodes = s.nodesUsed + levelNodes;
-    const uint32_t leafRefs = s.leafRefsUsed + s.nodeTotals.y + refs;
+    const uint32_t leafRefs = s.leafRefsUsed + totals.y + refs;
     if (refs > a.args.refCapacity) s.neededRefs = refs;
     if (levelNodes > a.args.levelNodeCapacity) s.neededLevelNodes = levelNodes;
     if (nodes > a.args.nodeCapacity) s.neededNodes = nodes;
@@ -20,10 +21,9 @@ void nextLevel(BuildArrays& a, uint32_t depth) {
     s.leafBase = s.leafRefsUsed;
     const bool last = depth + 1 >= a.state.maxDepth;  // its nodes are leaves: there is nothing to choose
     s.level[depth + 1] =
-        fits ? levelOf(refs, levelNodes, last ? 0 : s.nodeTotals.z, last ? 0 : s.nodeTotals.w, a.args.row)
-             : levelOf(0, 0, 0, 0, a.args.row);
+        fits ? levelOf(refs, levelNodes, last ? 0 : totals.z, a.args.row) : levelOf(0, 0, 0, a.args.row);
     if (fits) s.nodesUsed = nodes;
-    s.leafRefsUsed += fits ? s.nodeTotals.y : s.level[depth].refCount;
+    s.leafRefsUsed += fits ? totals.y : s.level[depth].refCount;
 }
 
 }  // namespace cleave::twin

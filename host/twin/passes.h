@@ -32,8 +32,10 @@ struct Children {
     uint32_t right = 0;
 };
 Children childrenOf(const BuildArrays& a, const BuildNode& node);
-// what the node adds to BuildState::nodeTotals,
+// what the node adds to the sums of its block,
 glm::uvec4 nodeCounts(const BuildArrays& a, const BuildNode& node);
+// the exclusive prefix sums of the sums of blocks, in place, and their total,
+glm::uvec4 scanBlocks(std::vector<glm::uvec4>& sums, uint32_t items);
 // and the range of a large node's bins on one axis.
 BinRange rangeOf(const BuildArrays& a, uint32_t chunk, uint32_t axis);
 

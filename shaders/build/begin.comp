@@ -7,13 +7,11 @@ layout(local_size_x = 1) in;
 void main() {
     uint n = args.state.at.refTotals.x;
     uint chunks = chunksOf(n, args.exactUpTo);
-    uint smalls = smallsOf(n, args.exactUpTo);
     args.state.at.scene.included = n;
     args.nodes0.at[0] = buildNode(rootCell(args.state.at.scene), 0u, n, 0u, 0u);
     for (uint c = 0u; c < chunks; c++) args.chunks.at[c] = chunkOf(0u, 0u, n, c);
     if (chunks > 0u) clearBounds(0u);
-    if (smalls > 0u) args.smallNodes.at[0] = 0u;
     args.state.at.nodesUsed = 1u;
     args.state.at.maxDepth = depthLimit(args.maxDepth, n);
-    args.state.at.level[0] = levelOf(n, 1u, chunks, smalls, args.row);
+    args.state.at.level[0] = levelOf(n, 1u, chunks, args.row);
 }

@@ -1,21 +1,19 @@
 #version 460
-// Writes the tree's nodes of this level and the list of nodes, chunks and small nodes of the next. A workgroup per
+// Writes the tree's nodes of this level and the lists of nodes and of chunks of the next. A workgroup per
 // block of nodes; an invocation treats a run of consecutive ones.
 #extension GL_GOOGLE_include_directive : require
 #include "lib/build.glsl"
+#include "lib/group_sum.glsl"
 #include "lib/children.glsl"
 
 layout(local_size_x_id = 0) in;
 
-shared uvec4 runs[64];  // one per invocation
-
-// One child: its node of the next level, and its place in the list of chunks or of small nodes.
-void emitChild(uint index, Box cell, uint first, uint count, uint chunk, uint small) {
+// One child: its node of the next level, and its chunks.
+void emitChild(uint index, Box cell, uint first, uint count, uint chunk) {
     nodesOut().at[index] = buildNode(cell, first, count, args.state.at.nodeBase + index, chunk);
     uint chunks = chunksOf(count, args.exactUpTo);
     for (uint c = 0u; c < chunks; c++) args.chunks.at[chunk + c] = chunkOf(index, first, count, c);
     if (chunks > 0u) clearBounds(chunk);
-    if (smallsOf(count, args.exactUpTo) > 0u) args.smallNodes.at[small] = index;
 }
 
 void emitLeaf(uint index, BuildNode node, uint first) {
@@ -39,9 +37,9 @@ void emitNode(uint index, BuildNode node, uvec2 children, uvec4 before) {
     nodesIn().at[index].child = left;
     nodesIn().at[index].leftBase = offset.y;
     nodesIn().at[index].rightBase = args.offsets.at[node.first + node.count].x;
-    emitChild(left, leftOf(node.cell, s.axis, s.position), first, children.x, before.z, before.w);
+    emitChild(left, leftOf(node.cell, s.axis, s.position), first, children.x, before.z);
     emitChild(left + 1u, rightOf(node.cell, s.axis, s.position), first + children.x, children.y,
-              before.z + chunksOf(children.x, args.exactUpTo), before.w + smallsOf(children.x, args.exactUpTo));
+              before.z + chunksOf(children.x, args.exactUpTo));
 }
 
 void main() {
@@ -64,10 +62,7 @@ void main() {
         BuildNode node = nodesIn().at[k];
         sum += nodeCounts(node, childCounts(node));
     }
-    runs[i] = sum;
-    barrier();
-    sum = args.nodeSums.at[block];
-    for (uint k = 0u; k < i; k++) sum += runs[k];
+    sum = args.nodeSums.at[block] + sumBefore(sum);
     for (uint k = from; k < to; k++) {
         BuildNode node = nodesIn().at[k];
         uvec2 children = childCounts(node);

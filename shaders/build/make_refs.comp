@@ -3,9 +3,8 @@
 // block of triangles; an invocation treats a run of consecutive ones.
 #extension GL_GOOGLE_include_directive : require
 #include "lib/build.glsl"
+#include "lib/group_sum.glsl"
 layout(local_size_x_id = 0) in;
-
-shared uint runs[64];  // one per invocation
 
 void main() {
     uint block = groupIndex();
@@ -16,10 +15,7 @@ void main() {
     uint to = min(from + run, args.triangleCount);
     uint sum = 0u;
     for (uint k = from; k < to; k++) sum += args.sides.at[k];
-    runs[i] = sum;
-    barrier();
-    sum = args.blockSums.at[block].x;
-    for (uint k = 0u; k < i; k++) sum += runs[k];
+    sum = args.blockSums.at[block].x + sumBefore(uvec4(sum, 0u, 0u, 0u)).x;
     for (uint k = from; k < to; k++) {
         if (args.sides.at[k] == 0u) continue;
         Box b = triangleBox(withoutNumber(args.triangles.at[k]));

@@ -1,13 +1,15 @@
 #version 460
-// Decides whether the next level fits, and how large it is. One invocation.
+// Prefix sums of the sums of blocks of nodes, and from their total whether the next level fits, and how large it is.
+// One workgroup.
 #extension GL_GOOGLE_include_directive : require
 #include "lib/build.glsl"
-
-layout(local_size_x = 1) in;
+#include "lib/scan.glsl"
+layout(local_size_x = kLargestGroup) in;
 
 void main() {
+    uvec4 totals = scanInPlace(args.nodeSums, ceilDiv(thisLevel.nodeCount, kBlock));
+    if (!isLastInvocation()) return;
     uint refs = args.state.at.refTotals.x + args.state.at.refTotals.y;
-    uvec4 totals = args.state.at.nodeTotals;
     uint nodes = args.state.at.nodesUsed + 2u * totals.x;
     // All references of the next level may end in leaves: they must fit there, too.
     uint leafRefs = args.state.at.leafRefsUsed + totals.y + refs;
@@ -25,9 +27,9 @@ void main() {
         args.state.at.nodesUsed = nodes;
         args.state.at.leafRefsUsed += totals.y;
         bool last = push.depth + 1u >= args.state.at.maxDepth;  // its nodes are leaves: there is nothing to choose
-        args.state.at.level[push.depth + 1u] = levelOf(refs, levelNodes, last ? 0u : totals.z, last ? 0u : totals.w, args.row);
+        args.state.at.level[push.depth + 1u] = levelOf(refs, levelNodes, last ? 0u : totals.z, args.row);
     } else {
         args.state.at.leafRefsUsed += thisLevel.refCount;
-        args.state.at.level[push.depth + 1u] = levelOf(0u, 0u, 0u, 0u, args.row);
+        args.state.at.level[push.depth + 1u] = levelOf(0u, 0u, 0u, args.row);
     }
 }

@@ -3,10 +3,9 @@
 // adds up a run of consecutive ones.
 #extension GL_GOOGLE_include_directive : require
 #include "lib/build.glsl"
+#include "lib/group_sum.glsl"
 
 layout(local_size_x_id = 0) in;
-
-shared uvec2 runs[64];  // one per invocation
 
 uvec2 countsOf(uint side) { return uvec2(side & kLeft, (side & kRight) >> 1); }
 
@@ -20,10 +19,8 @@ void main() {
     uint to = min(from + run, refCount);
     uvec2 sum = uvec2(0u);
     for (uint k = from; k < to; k++) sum += countsOf(args.sides.at[k]);
-    runs[i] = sum;
-    barrier();
-    sum = uvec2(args.blockSums.at[block].x, args.blockSums.at[block].y);
-    for (uint k = 0u; k < i; k++) sum += runs[k];
+    uvec4 before = args.blockSums.at[block] + sumBefore(uvec4(sum.x, sum.y, 0u, 0u));
+    sum = uvec2(before.x, before.y);
     for (uint k = from; k < to; k++) {
         args.offsets.at[k] = sum;
         sum += countsOf(args.sides.at[k]);

@@ -6,10 +6,9 @@ uvec2 childCounts(BuildNode node) {
     return args.offsets.at[node.first + node.count] - args.offsets.at[node.first];
 }
 
-// Returns what a node adds to BuildState.nodeTotals.
+// What a node adds to the sums of its block: splits, references in leaves, chunks of the next level.
 uvec4 nodeCounts(BuildNode node, uvec2 children) {
     if (node.split.axis == kLeafAxis) return uvec4(0u, node.count, 0u, 0u);
     uint upTo = args.exactUpTo;
-    return uvec4(1u, 0u, chunksOf(children.x, upTo) + chunksOf(children.y, upTo),
-                 smallsOf(children.x, upTo) + smallsOf(children.y, upTo));
+    return uvec4(1u, 0u, chunksOf(children.x, upTo) + chunksOf(children.y, upTo), 0u);
 }

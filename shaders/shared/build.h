@@ -130,16 +130,14 @@ struct Level {
     uint refCount;
     uint nodeCount;
     uint chunkCount;
-    uint smallCount;
-    DispatchSize perChunk;       // a workgroup per chunk: bounds, bin, nearest
-    DispatchSize perChunkGroup;  // an invocation per chunk: choose_split, snap
-    DispatchSize perSmall;       // a workgroup per small node: exact_split
-    DispatchSize perRefBlock;    // a workgroup per kBlock references: classify, offsets
+    DispatchSize perChunk;       // a workgroup per chunk: bounds, bin, choose_split, nearest
+    DispatchSize perChunkGroup;  // an invocation per chunk: snap
+    DispatchSize perRefBlock;    // a workgroup per kBlock references: exact_split, classify, offsets
     DispatchSize perRefGroup;    // an invocation per reference: partition
     DispatchSize perNodeBlock;   // a workgroup per kBlock nodes: count_children, emit_nodes
     DispatchSize once;           // one workgroup, none if the level is empty: scan, next_level
 };
-CLEAVE_SIZE(Level, 100);
+CLEAVE_SIZE(Level, 84);
 
 // Describes all triangles together, once they are loaded.
 struct SceneState {
@@ -165,11 +163,10 @@ struct BuildState {
     uint neededLeafRefs;
     uint maxDepth;  // of a leaf
     SceneState scene;
-    uvec4 refTotals;   // of the level: left, right references; before the first level: triangles in the tree
-    uvec4 nodeTotals;  // of the level: splits, references in leaves, chunks, small nodes
+    uvec4 refTotals;  // of the level: left, right references; before the first level: triangles in the tree
     Level level[kMaxDepth + 2u];
 };
-CLEAVE_SIZE(BuildState, 6616);
+CLEAVE_SIZE(BuildState, 5560);
 
 #ifndef __cplusplus
 #include "lib/build_arrays.glsl"
@@ -187,12 +184,11 @@ CLEAVE_SIZE(BuildState, 6616);
     ROW(bounds, uint, UintArray, n.chunks* kBoundsWords)                                                  \
     ROW(bins, uint, UintArray, n.chunks* kBinWords)                                                       \
     ROW(nearest, NearestFaces, NearestFacesArray, n.chunks)                                               \
-    ROW(smallNodes, uint, UintArray, n.refs)       /* indices of the level's small nodes */               \
     ROW(sides, uint, UintArray, n.refs)            /* kLeft | kRight | kClipped; at first: in the tree */ \
     ROW(clipped, Box, BoxArray, 2 * n.refs)        /* per reference two: left and right part */           \
     ROW(offsets, uvec2, Uvec2Array, n.refs + 1)    /* left and right references before each */            \
     ROW(blockSums, uvec4, Uvec4Array, n.refBlocks) /* per block of references: left, right */             \
-    ROW(nodeSums, uvec4, Uvec4Array, n.nodeBlocks) /* per block of nodes: as BuildState.nodeTotals */
+    ROW(nodeSums, uvec4, Uvec4Array, n.nodeBlocks) /* per block of nodes: splits, references in leaves, chunks */
 
 // And those that become the tree.
 #define CLEAVE_TREE_ARRAYS(ROW)                                  \
@@ -225,7 +221,7 @@ struct BuildArgs {
     float invBinCount;
     SahCosts costs;
 };
-CLEAVE_SIZE(BuildArgs, 232);
+CLEAVE_SIZE(BuildArgs, 224);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) buffer BuildArgsRef { BuildArgs at; };
@@ -233,13 +229,12 @@ layout(buffer_reference, scalar, buffer_reference_align = 8) buffer BuildArgsRef
 
 // Says what `scan` sums up.
 CLEAVE_CONST uint kScanRefs = 0u;
-CLEAVE_CONST uint kScanNodes = 1u;
-CLEAVE_CONST uint kScanTriangles = 2u;
+CLEAVE_CONST uint kScanTriangles = 1u;
 
 struct BuildPush {
     CLEAVE_ADDRESS(BuildArgsRef) args;
     uint depth;  // of the level: even levels are in refs0 and nodes0, odd ones in refs1 and nodes1
-    uint scans;  // of the pass `scan`: kScanRefs, ...
+    uint scans;  // of the pass `scan`: kScanRefs or kScanTriangles
 };
 CLEAVE_SIZE(BuildPush, 16);
 
@@ -269,15 +264,13 @@ CLEAVE_FN uint depthLimit(uint setting, uint n) { return setting != 0u ? min(set
 CLEAVE_FN uint chunkCapacity(uint refs, uint exactUpTo) { return refs / (exactUpTo + 1u) + refs / kChunk + 1u; }
 
 // `row`: the most workgroups in a row of a dispatch.
-CLEAVE_FN Level levelOf(uint refCount, uint nodeCount, uint chunkCount, uint smallCount, uint row) {
+CLEAVE_FN Level levelOf(uint refCount, uint nodeCount, uint chunkCount, uint row) {
     Level l;
     l.refCount = refCount;
     l.nodeCount = nodeCount;
     l.chunkCount = chunkCount;
-    l.smallCount = smallCount;
     l.perChunk = dispatchSize(chunkCount, row);
     l.perChunkGroup = dispatchSize(ceilDiv(chunkCount, kGroup), row);
-    l.perSmall = dispatchSize(smallCount, row);
     l.perRefBlock = dispatchSize(ceilDiv(refCount, kBlock), row);
     l.perRefGroup = dispatchSize(ceilDiv(refCount, kGroup), row);
     l.perNodeBlock = dispatchSize(ceilDiv(nodeCount, kBlock), row);
@@ -299,7 +292,6 @@ CLEAVE_FN Box rootCell(SceneState s) {
 
 CLEAVE_FN bool isLarge(uint count, uint exactUpTo) { return count > exactUpTo; }
 CLEAVE_FN uint chunksOf(uint count, uint exactUpTo) { return isLarge(count, exactUpTo) ? ceilDiv(count, kChunk) : 0u; }
-CLEAVE_FN uint smallsOf(uint count, uint exactUpTo) { return count > 0u && !isLarge(count, exactUpTo) ? 1u : 0u; }
 
 CLEAVE_FN BuildNode buildNode(Box cell, uint first, uint count, uint treeNode, uint chunk) {
     BuildNode n;

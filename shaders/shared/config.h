@@ -44,5 +44,8 @@ CLEAVE_CONST uint kBlock = 256u;
 // Invocations per workgroup of the passes that process one element each.
 CLEAVE_CONST uint kGroup = 64u;
 
+// The largest workgroup that a kernel has. Vulkan promises 128 invocations; devices with fewer than these are refused.
+CLEAVE_CONST uint kLargestGroup = 256u;
+
 CLEAVE_END
 #endif

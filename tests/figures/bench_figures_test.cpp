@@ -155,8 +155,24 @@ TEST(PeerTable, RatesBesideOurs) {
 TEST(BenchTable, KernelsByTheirShare) {
     BuilderFigures figures = figuresOf(Builder::gpu, 110.0, 3000);
     EXPECT_EQ(kernelLines({figures}), "");
-    figures.built.passes = {{"bin", 1.0}, {"classify", 3.0}};
+    figures.built.profile.passes = {{"bin", 1.0}, {"classify", 3.0}};
     EXPECT_EQ(kernelLines({figures}), "gpu build by kernel, %: classify 75.0 bin 25.0\n");
+}
+
+TEST(BenchTable, PassesAndLevelsByElement) {
+    BuilderFigures figures = figuresOf(Builder::gpu, 110.0, 3000);
+    EXPECT_EQ(passTable({figures}), "");
+    BuildProfile& profile = figures.built.profile;
+    profile.passes = {{"next_level", 1.0, 2, 2, "", 0}, {"classify", 3.0, 2, 6, "references", 1500}};
+    profile.levels = {{1000, 1, 2.5}, {500, 2, 1.5}};
+    profile.nodes = 3;
+    const std::string table = passTable({figures});
+    // 3 ms are 500,000 ns for each of 6 workgroups, 2,000 for each of 1,500 references, 1,000,000 for each of 3 nodes.
+    for (const char* cell : {"75.0 %", "500000.0", "2000.0", "1000000.0", "references"})
+        EXPECT_NE(table.find(cell), std::string::npos) << cell << "\n" << table;
+    // The second level: 1.5 ms are 3,000 ns for each of 500 references and 750,000 for each of 2 nodes.
+    for (const char* cell : {"1.500", "3000.0", "750000.0"})
+        EXPECT_NE(table.find(cell), std::string::npos) << cell << "\n" << table;
 }
 
 std::vector<Hit> threeHits() {

@@ -37,23 +37,32 @@ GpuBuilder::Result expectTwinsTree(const std::vector<Triangle>& world, const Bui
 
 }  // namespace
 
-// A timed build is the same build: every kernel shows, and the times add up to something.
+// A timed build is the same build: every kernel shows, and its levels hold the tree's nodes.
 TEST(GpuBuilder, ProfilesEveryKernel) {
     const std::vector<Triangle> world = mixedTriangles(3000, 5);
     const TriangleSet set = makeTriangleSet(world);
     const DeviceTriangles triangles(device(), world);
     GpuBuilder builder(device());
     builder.build(triangles, BuildSettings{});
-    const std::vector<PassTime> passes = builder.profile(triangles, BuildSettings{});
+    const BuildProfile profile = builder.profile(triangles, BuildSettings{});
     std::vector<std::string> names, wanted{"arguments"};
-    for (const PassTime& pass : passes) names.push_back(pass.name);
+    for (const PassWork& pass : profile.passes) names.push_back(pass.name);
     for (const auto& table : {twin::setupPasses(), twin::levelPasses(), twin::lastPasses()})
         for (const twin::Pass& pass : table)
             if (std::find(wanted.begin(), wanted.end(), pass.row.kernel) == wanted.end())
                 wanted.push_back(pass.row.kernel);
     EXPECT_EQ(names, wanted);
-    EXPECT_EQ(treeHash(readBack(*builder.build(triangles, BuildSettings{}).tree)),
-              treeHash(buildTwin(set, BuildSettings{}).tree));
+    const KdTree twin = buildTwin(set, BuildSettings{}).tree;
+    EXPECT_EQ(treeHash(readBack(*builder.build(triangles, BuildSettings{}).tree)), treeHash(twin));
+    uint64_t nodes = 0, references = 0, classified = 0;
+    for (const LevelWork& level : profile.levels) nodes += level.nodes;
+    for (const LevelWork& level : profile.levels) references += level.references;
+    for (const PassWork& pass : profile.passes)
+        if (pass.name == "classify") classified = pass.elements;
+    EXPECT_EQ(nodes, twin.nodes.size());
+    EXPECT_EQ(profile.nodes, twin.nodes.size());
+    EXPECT_EQ(classified, references);
+    EXPECT_EQ(profile.levels.at(0).references, set.included.size());
 }
 
 TEST(GpuBuilder, EqualsTwinOnMadeScenes) {

@@ -17,7 +17,7 @@ class BuildPair {
     BuildArrays arrays;  // the twin's
 
     // Runs a pass on both sides; the name of the first array that differs and where, or "" if none does.
-    std::string differenceAfter(const twin::Pass& pass, uint32_t depth);
+    std::string differenceAfter(const twin::Pass& pass, uint32_t depth, bool largeGroups);
 
   private:
     Buffer world_, list_;

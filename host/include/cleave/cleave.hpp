@@ -53,6 +53,9 @@ struct ContextInfo {
     bool builds = true;
     // The most workgroups in a row of a dispatch; 0: 65535, which every device takes. Tests make it tiny.
     uint32_t longestRow = 0;
+    // Lanes of the workgroups that build, a power of two from 8 to 256; 0: what suits the device. Trees do not depend on
+    // it. Tests ask for what other devices have.
+    uint32_t groupLanes = 0;
 };
 
 // Pipelines on a device. Destroy it before the device, when no command buffer that uses it is pending.

@@ -1,0 +1,24 @@
+// Prefix sums over the invocations of a workgroup, of at most kLargestGroup.
+
+shared uvec4 groupSums[kLargestGroup];
+
+// The sum of `mine` over the invocations before this one. Called once, by all of them.
+uvec4 sumBefore(uvec4 mine) {
+    uint i = gl_LocalInvocationID.x;
+    groupSums[i] = mine;
+    barrier();
+    uvec4 sum = uvec4(0u);
+    if (gl_WorkGroupSize.x <= 16u) {  // on a CPU barriers cost more than a few loads
+        for (uint k = 0u; k < i; k++) sum += groupSums[k];
+        return sum;
+    }
+    sum = mine;
+    for (uint step = 1u; step < gl_WorkGroupSize.x; step *= 2u) {  // Hillis and Steele 1986
+        uvec4 before = i >= step ? groupSums[i - step] : uvec4(0u);
+        barrier();
+        sum += before;
+        groupSums[i] = sum;
+        barrier();
+    }
+    return sum - mine;
+}
