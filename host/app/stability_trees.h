@@ -9,7 +9,7 @@
 
 namespace cleave {
 
-inline constexpr std::array kDeviceTraversals{Traversal::restart, Traversal::stack};
+inline constexpr std::array kDeviceTraversals{Traversal::restart, Traversal::stack, Traversal::shortStack};
 
 // Builds with the settings of the run's options; the tree is on the host and on the device.
 std::shared_ptr<TreeUnderTest> buildForTest(Run& run, Builder builder, const TriangleSet& set,

@@ -60,7 +60,9 @@ bool createTraceKernels(Creation& creation, Context::State& state, std::span<con
     for (const TraceMode& mode : modes) {
         const uint32_t constants[] = {mode.query == Query::any ? 1u : 0u, mode.countSteps ? 1u : 0u,
                                       static_cast<uint32_t>(mode.test)};
-        const char* name = mode.traversal == Traversal::stack ? "trace_stack" : "trace";
+        const char* name = mode.traversal == Traversal::stack        ? "trace_stack"
+                           : mode.traversal == Traversal::shortStack ? "trace_short_stack"
+                                                                     : "trace";
         TraceKernel& made = state.traceKernels.emplace_back();
         made.mode = mode;
         if (!creation.create(made.kernel, name, sizeof(TracePush), constants)) return false;

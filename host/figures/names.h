@@ -20,8 +20,8 @@ inline constexpr Builder Builder::gpu{"gpu"};
 inline constexpr Builder Builder::twin{"twin"};
 inline constexpr Builder Builder::exact{"exact"};
 
-inline constexpr std::array<std::pair<const char*, Traversal>, 2> kTraversals = {
-    {{"restart", Traversal::restart}, {"stack", Traversal::stack}}};
+inline constexpr std::array<std::pair<const char*, Traversal>, 3> kTraversals = {
+    {{"restart", Traversal::restart}, {"stack", Traversal::stack}, {"short-stack", Traversal::shortStack}}};
 inline constexpr std::array<std::pair<const char*, TriangleTest>, 3> kTriangleTests = {
     {{"watertight", TriangleTest::watertight},
      {"plain", TriangleTest::plain},

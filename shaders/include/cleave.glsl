@@ -17,7 +17,7 @@
 //
 // It enables the extensions that it needs, so include it before the first declaration. It has no descriptors and no
 // subgroup operations. The device features are bufferDeviceAddress, scalarBlockLayout and shaderFloat64. CLEAVE_TEST,
-// CLEAVE_STACK and CLEAVE_STEP_LIMIT may be defined before; see their defaults below. All global names begin with
+// CLEAVE_TRAVERSAL and CLEAVE_STEP_LIMIT may be defined before; see their defaults below. All global names begin with
 // cleave, Cleave, kCleave or CLEAVE. This file is generated: change the sources of cleave instead.
 #ifndef CLEAVE_GLSL
 #define CLEAVE_GLSL

@@ -3,11 +3,17 @@
 #define CLEAVE_LIB_QUERY
 #include "shared/ray.h"
 #include "lib/restart.glsl"
+#include "lib/short_stack.glsl"
 #include "lib/stack.glsl"
 
-// Whether traversal uses a stack, to compare with.
-#ifndef CLEAVE_STACK
-#define CLEAVE_STACK false
+const uint kRestartTraversal = 0u;
+const uint kShortStackTraversal = 1u;
+const uint kStackTraversal = 2u;
+
+// How rays find their way: kRestartTraversal (without a stack), kShortStackTraversal (a few entries) or kStackTraversal.
+// Answers are the same.
+#ifndef CLEAVE_TRAVERSAL
+#define CLEAVE_TRAVERSAL kRestartTraversal
 #endif
 
 // Inner nodes and triangle tests after which trace() and occluded() give up and answer with a miss. Far more than rays
@@ -25,7 +31,9 @@ bool search(Tree tree, Ray ray, bool anyHit, uint stepLimit, inout Hit hit, inou
     ScaledRay scaled = scaledRay(ray, tree.at.exponent);
     Best best = bestOf(scaledHit(hit, scaled.tExponent), scaled);
     bool finished = true;
-    if (CLEAVE_STACK) traverseStack(parts, scaled, anyHit, best, steps);
+    if (CLEAVE_TRAVERSAL == kStackTraversal) traverseStack(parts, scaled, anyHit, best, steps);
+    else if (CLEAVE_TRAVERSAL == kShortStackTraversal)
+        finished = traverseShortStack(parts, scaled, anyHit, stepLimit, best, trail, steps);
     else finished = traverseRestart(parts, scaled, anyHit, stepLimit, best, trail, steps);
     // A hit that stays is not converted back: scaling may have moved its t out of the range of floats.
     if (best.index != kNone) hit = worldHit(hitOf(parts, scaled, best), scaled.tExponent);

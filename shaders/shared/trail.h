@@ -46,20 +46,28 @@ CLEAVE_FN Trail withBit(Trail t, uint depth) {
 // A word whose bits 0 to depth - 1 are set; depth is at most 32.
 CLEAVE_FN uint bitsBelow(uint depth) { return depth >= 32u ? 0xFFFFFFFFu : (1u << depth) - 1u; }
 
-// The trail to the next leaf after a path that ended at `depth`: the deepest 0 on the path becomes 1, and all deeper
-// bits become 0. There must be such a 0, that is, a far child that is still to be visited.
-CLEAVE_FN Trail advanced(Trail t, uint depth) {
+// The depth of the deepest 0 on a path that ended at `depth`. There must be one, that is, a far child that is still to be
+// visited.
+CLEAVE_FN uint deepestOpen(Trail t, uint depth) {
     uint openLower = depth > 32u ? ~t.lower & bitsBelow(depth - 32u) : 0u;
-    if (openLower != 0u) {
-        uint bit = highestBit(openLower);
+    if (openLower != 0u) return 32u + highestBit(openLower);
+    return highestBit(~t.upper & bitsBelow(min(depth, 32u)));
+}
+
+// With a 1 at `depth`, and 0 everywhere deeper.
+CLEAVE_FN Trail openedAt(Trail t, uint depth) {
+    uint bit = depth & 31u;
+    if (depth >= 32u) {
         t.lower = (t.lower & bitsBelow(bit)) | 1u << bit;
         return t;
     }
-    uint bit = highestBit(~t.upper & bitsBelow(min(depth, 32u)));
     t.upper = (t.upper & bitsBelow(bit)) | 1u << bit;
     t.lower = 0u;
     return t;
 }
+
+// The trail to the next leaf after a path that ended at `depth`.
+CLEAVE_FN Trail advanced(Trail t, uint depth) { return openedAt(t, deepestOpen(t, depth)); }
 
 CLEAVE_END
 #endif

@@ -326,8 +326,8 @@ TEST_F(Program, StabilityPrintsATableAndWritesEveryCell) {
     const auto json = nlohmann::json::parse(contentOf(folder / "s.json"))["stability"];
     EXPECT_EQ(json["cases"].size(), 2u);
     EXPECT_EQ(json["brokenCells"], 0u);
-    // Two builders, three traversals; a tetrahedron has no split plane, so three families fewer.
-    EXPECT_EQ(json["cells"].size(), 2u * 3u * (13u + 16u));
+    // Two builders, four traversals; a tetrahedron has no split plane, so three families fewer.
+    EXPECT_EQ(json["cells"].size(), 2u * 4u * (13u + 16u));
     for (const auto& cell : json["cells"]) {
         EXPECT_EQ(cell["wrong"], 0u);
         EXPECT_EQ(cell["differing"], 0u);
@@ -337,12 +337,12 @@ TEST_F(Program, StabilityPrintsATableAndWritesEveryCell) {
 
 TEST_F(Program, StabilityShootsFromInsideOfClosedMeshes) {
     const TemporaryFolder folder;
-    const Outcome run = runCleave({"stability", "--leaks", "20000", "--builder", "exact", "--json", folder / "l.json"});
+    const Outcome run = runCleave({"stability", "--leaks", "30000", "--builder", "exact", "--json", folder / "l.json"});
     EXPECT_EQ(run.status, 0) << run.err;
     const auto json = nlohmann::json::parse(contentOf(folder / "l.json"))["leaks"];
     EXPECT_EQ(json["leaks"], 0u);
-    EXPECT_EQ(json["rays"], 20000u);
-    EXPECT_EQ(json["meshes"].size(), 10u * 2u) << "by two traversals";
+    EXPECT_EQ(json["rays"], 30000u);
+    EXPECT_EQ(json["meshes"].size(), 10u * 3u) << "by three traversals";
 }
 
 }  // namespace

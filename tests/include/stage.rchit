@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_ray_tracing : require
 #define CLEAVE_TEST kCleavePlainTest
-#define CLEAVE_STACK true
+#define CLEAVE_TRAVERSAL kCleaveStackTraversal
 #define CLEAVE_STEP_LIMIT 1000u
 #include "cleave.glsl"
 #include "own_names.glsl"

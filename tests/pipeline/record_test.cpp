@@ -252,14 +252,18 @@ TEST(Record, AnswersAlikeInManyDispatches) {
     const std::vector<Ray> rays = mixedRays(2500, 2);
     const auto tree = uploadTree(device(), set, buildExact(set, BuildSettings{}));
     const Tracer::Result want = Tracer(device()).trace(*tree, rays);
-    Tracer small(device(), {.batch = 64, .stepLimit = 7, .mostDispatches = 1u << 20});
-    const Tracer::Result got = small.trace(*tree, rays);
-    EXPECT_EQ(std::memcmp(got.hits.data(), want.hits.data(), want.hits.size() * sizeof(Hit)), 0);
-    EXPECT_EQ(got.invalidRays, want.invalidRays);
-    EXPECT_EQ(got.cappedRays, 0u);
-    // Given up too soon: counted, and answered by no more than what was found.
-    const Tracer::Result capped = Tracer(device(), {.stepLimit = 7, .mostDispatches = 2}).trace(*tree, rays);
-    EXPECT_GT(capped.cappedRays, 0u);
+    for (const Traversal traversal : {Traversal::restart, Traversal::shortStack}) {
+        SCOPED_TRACE(traversal == Traversal::restart ? "restart" : "short stack");
+        const TraceMode mode{.traversal = traversal};
+        Tracer small(device(), {.batch = 64, .stepLimit = 7, .mostDispatches = 1u << 20});
+        const Tracer::Result got = small.trace(*tree, rays, mode);
+        EXPECT_EQ(std::memcmp(got.hits.data(), want.hits.data(), want.hits.size() * sizeof(Hit)), 0);
+        EXPECT_EQ(got.invalidRays, want.invalidRays);
+        EXPECT_EQ(got.cappedRays, 0u);
+        // Given up too soon: counted, and answered by no more than what was found.
+        const Tracer::Result capped = Tracer(device(), {.stepLimit = 7, .mostDispatches = 2}).trace(*tree, rays, mode);
+        EXPECT_GT(capped.cappedRays, 0u);
+    }
 }
 
 // Rows of three workgroups: every kernel takes its share of a dispatch that is laid out in rows.

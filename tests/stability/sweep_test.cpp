@@ -42,8 +42,9 @@ std::vector<Cell> sweep(const StabilityCase& made) {
     const std::vector<Triangle> world = made.make(random, true);
     const TriangleSet set = makeTriangleSet(world);
     SceneSweep scene(std::string(made.name), world, set, kSettings);
-    const std::vector<TraversalUnderTest> traversals{onDevice("restart", Traversal::restart),
-                                                     onDevice("stack", Traversal::stack), hostStack(set, 1'000'000)};
+    const std::vector<TraversalUnderTest> traversals{
+        onDevice("restart", Traversal::restart), onDevice("stack", Traversal::stack),
+        onDevice("short-stack", Traversal::shortStack), hostStack(set, 1'000'000)};
     std::vector<Cell> cells;
     for (const char* builder : {"exact", "spatial-median"}) {
         const std::shared_ptr<TreeUnderTest> tree = hostTree(builder, set);

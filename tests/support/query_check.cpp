@@ -69,6 +69,7 @@ struct QueryCheck::Impl {
         // The unfiltered test is the default one without the filter that throws out clear misses: the same answers.
         const Mode modes[] = {{"restart", {Query::closest, Traversal::restart, TriangleTest::watertight}},
                               {"stack", {Query::closest, Traversal::stack, TriangleTest::watertight}},
+                              {"short stack", {Query::closest, Traversal::shortStack, TriangleTest::watertight}},
                               {"unfiltered", {Query::closest, Traversal::restart, TriangleTest::unfiltered}}};
         for (const Mode& m : modes) {
             const std::string name = treeName + ", " + m.name;

@@ -8,8 +8,9 @@ namespace cleave {
 // closest: the nearest hit, ties by the lower triangle number. any: whether there is a hit, by some triangle.
 enum class Query : uint32_t { closest, any };
 
-// restart: without a stack, by a restart trail (Laine 2010). stack: the textbook walk, to compare with.
-enum class Traversal : uint32_t { restart, stack };
+// restart: without a stack, by a restart trail (Laine 2010). stack: the textbook walk. shortStack: a stack of a few
+// entries, and the trail for what does not fit (Horn et al. 2007). Answers are the same.
+enum class Traversal : uint32_t { restart, stack, shortStack };
 
 // watertight: no ray slips through an edge or a vertex. plain: Moeller and Trumbore's test in float, which leaks.
 // unfiltered: the watertight test, all of it in double, without the filter in float before it.
