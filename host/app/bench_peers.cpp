@@ -1,6 +1,7 @@
 #include "app/bench_peers.h"
 
 #include "base/error.h"
+#include "figures/timing.h"
 #include "peers/peers.h"
 
 namespace cleave {
@@ -8,14 +9,16 @@ namespace {
 
 constexpr size_t kRaysOfSlowPeers = 65536;
 
-// The first trace, which warms up, is the one that is compared.
+// The last untimed trace is the one that is compared.
 PeerSetFigures measure(Peer& peer, const RaySet& set, size_t most, uint32_t runs) {
     PeerSetFigures figures;
     if (set.rays.empty()) return figures;
     const std::vector<Ray> rays = sampleOfTiles(std::span(set.rays), most);
     const std::vector<Hit> ours = sampleOfTiles(std::span(set.hits), most);
     figures.rays = rays.size();
-    figures.disagreements = disagreements(ours, peer.trace(rays, set.query).hits, set.query);
+    std::vector<Hit> theirs;
+    warmUp([&] { theirs = peer.trace(rays, set.query).hits; });
+    figures.disagreements = disagreements(ours, theirs, set.query);
     if (figures.isWrong()) return figures;
     for (uint32_t i = 0; i < runs; ++i) figures.runs.push_back(peer.trace(rays, set.query).ms);
     return figures;
@@ -25,7 +28,7 @@ void measureAll(Run& run, const PeerOffer& offer, const PeerScene& scene, const 
     const std::string phase = offer.name + " (" + figures.order + ")";
     run.progress.phase("building for " + phase);
     const std::unique_ptr<Peer> peer = offer.make(run.device.device(), scene);
-    peer->build();  // warms up
+    warmUp([&] { peer->build(); });
     for (uint32_t i = 0; i < run.options.runs; ++i) figures.buildRuns.push_back(peer->build());
     run.progress.phase("timing " + phase);
     for (size_t i = 0; i < sets.size(); ++i)

@@ -60,7 +60,7 @@ void Session::buildOnDevice(BuiltTree& built) {
     built.attempts = std::max(built.attempts, result.attempts);
 }
 
-BuiltTree Session::build(Builder builder, uint32_t runs) {
+BuiltTree Session::prepared(Builder builder) {
     BuiltTree built;
     built.builder = builder;
     if (builder == Builder::gpu) {
@@ -69,23 +69,40 @@ BuiltTree Session::build(Builder builder, uint32_t runs) {
         built.setupMs = run_.device.builderSetupMilliseconds();
     }
     run_.progress.phase("building (" + nameOf(builder) + ")");
-    for (uint32_t i = 0; i < runs; ++i) {
-        if (builder == Builder::gpu)
-            buildOnDevice(built);
-        else
-            buildOnHost(built, set_, run_.options.settings);
-    }
+    return built;
+}
+
+void Session::buildOnce(BuiltTree& built) {
+    if (built.builder == Builder::gpu)
+        buildOnDevice(built);
+    else
+        buildOnHost(built, set_, run_.options.settings);
+}
+
+void Session::finish(BuiltTree& built) {
     if (built.onDevice) built.tree = readBack(*built.onDevice);
     built.ms = medianOf(built.runs);
     built.statistics = computeStatistics(built.tree, run_.options.settings.costs);
     built.hash = treeHash(built.tree);
     run_.progress.clear();
+}
+
+BuiltTree Session::build(Builder builder) {
+    BuiltTree built = prepared(builder);
+    buildOnce(built);
+    finish(built);
     return built;
 }
 
-void Session::profile(BuiltTree& built) {
-    if (built.builder != Builder::gpu) return;
-    built.profile = run_.device.builder().profile(trianglesOnDevice(), run_.options.settings);
+BuiltTree Session::buildTimed(Builder builder, uint32_t runs) {
+    BuiltTree built = prepared(builder);
+    if (builder == Builder::gpu) warmUp([&] { buildOnce(built); });
+    built.runs.clear();
+    for (uint32_t i = 0; i < runs; ++i) buildOnce(built);
+    if (builder == Builder::gpu)
+        built.profile = run_.device.builder().profile(trianglesOnDevice(), run_.options.settings);
+    finish(built);
+    return built;
 }
 
 const DeviceTree& Session::upload(BuiltTree& built) {

@@ -27,10 +27,9 @@ class Session {
     // Of the triangles with finite vertices, in world space; empty without any.
     const Box& worldBounds() const { return bounds_; }
 
-    // Builds the same tree `runs` times, to time it.
-    BuiltTree build(Builder builder, uint32_t runs = 1);
-    // Where a GPU build's time goes: builds once more and notes it in `built`. Others are left alone.
-    void profile(BuiltTree& built);
+    BuiltTree build(Builder builder);
+    // Builds the same tree `runs` times; on the device after a warm-up, and once more to see where the time goes.
+    BuiltTree buildTimed(Builder builder, uint32_t runs);
     // The tree on the device, which opens it.
     const DeviceTree& upload(BuiltTree& built);
     // What pictures need beside the tree.
@@ -41,7 +40,10 @@ class Session {
     CheckResult check(std::span<const Ray> rays, std::span<const Hit> hits, Query query, uint64_t count);
 
   private:
+    BuiltTree prepared(Builder builder);
     void buildOnDevice(BuiltTree& built);
+    void buildOnce(BuiltTree& built);
+    void finish(BuiltTree& built);
 
     Run& run_;
     Scene scene_;

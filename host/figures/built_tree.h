@@ -31,7 +31,7 @@ struct BuiltTree {
     uint64_t peakBytes = 0;
     bool memoryLimited = false;
     uint32_t attempts = 1;  // GPU: 1 + how often the capacity was too small and the build was done once more
-    BuildProfile profile;   // GPU, see Session::profile
+    BuildProfile profile;   // GPU, see Session::buildTimed
 };
 
 // A line each for the terminal.

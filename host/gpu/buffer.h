@@ -18,12 +18,11 @@ class Buffer {
     // Throws Error if the device has not so much memory, or gives not so much in one piece. `uses`: what the buffer is
     // for beside what kernels and transfers do.
     Buffer(Device& device, uint64_t bytes, VkBufferUsageFlags uses = 0);
-    ~Buffer();
     Buffer(Buffer&& other) noexcept;
     Buffer& operator=(Buffer&& other) noexcept;
 
     uint64_t size() const { return size_; }
-    VkBuffer handle() const { return handle_; }
+    VkBuffer handle() const { return handle_.get(); }
     uint64_t address() const { return address_; }
 
     // Waits for nothing: the caller has waited for the work that uses the buffer. Ranges must lie inside.
@@ -42,10 +41,13 @@ class Buffer {
     }
 
   private:
+    static void freeMemory(VmaAllocator allocator, VmaAllocation allocation, const VkAllocationCallbacks*);
+
     Device* device_ = nullptr;
-    VkBuffer handle_ = VK_NULL_HANDLE;
-    VmaAllocation allocation_ = nullptr;
-    void* mapped_ = nullptr;  // null where the device's memory is not seen from the host
+    Owned<VmaAllocator, VmaAllocation, freeMemory> memory_;  // outlives the handle
+    Owned<VkDevice, VkBuffer, vkDestroyBuffer> handle_;
+    void* mapped_ = nullptr;     // null where the host does not see the device's memory
+    bool cachedByHost_ = false;  // see MemoryType
     uint64_t size_ = 0;
     uint64_t address_ = 0;
 

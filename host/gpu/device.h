@@ -28,6 +28,8 @@ struct DeviceOptions {
     std::function<void(const std::string& key, std::span<const char> data)> storePipelines;
     // False: no device memory is mapped, as on a discrete GPU, and all transfers are staged.
     bool maps = true;
+    // False: of mapped memory the host caches nothing, as on a discrete GPU with resizable BAR; long reads are staged.
+    bool hostCaches = true;
     uint64_t largestAllocation = 0;          // bytes; 0: what the device says
     size_t stagingBytes = size_t(16) << 20;  // of the ring that transfers go through
     uint32_t longestRow = 0;                 // of workgroups in a dispatch; 0: as long as every device takes
@@ -71,6 +73,7 @@ class Device {
     std::string name() const { return properties_.deviceName; }
     const VkPhysicalDeviceProperties& properties() const { return properties_; }
     bool maps() const { return options_.maps; }
+    bool hostCaches() const { return options_.hostCaches; }
     uint32_t longestRow() const { return options_.longestRow; }
     // Bytes that one buffer may have.
     uint64_t largestAllocation() const { return largestAllocation_; }

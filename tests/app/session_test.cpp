@@ -46,7 +46,7 @@ TEST(Session, BuildsWithoutADevice) {
     EXPECT_EQ(session.posed().triangles.size(), 1u);
     EXPECT_EQ(session.worldBounds().lo, vec3(-1, -1, 0));
     EXPECT_EQ(session.worldBounds().hi, vec3(3, 3, 0));
-    const BuiltTree built = session.build(Builder::exact, 3);
+    const BuiltTree built = session.buildTimed(Builder::exact, 3);
     EXPECT_EQ(built.runs.size(), 3u);
     EXPECT_EQ(built.ms, medianOf(built.runs));
     EXPECT_EQ(built.hash, treeHash(built.tree));

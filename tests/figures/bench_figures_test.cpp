@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include "base/text.h"
 #include "figures/json.h"
 #include "figures/timing.h"
@@ -27,6 +30,19 @@ BuilderFigures figuresOf(Builder builder, double sahCost, uint64_t references) {
     primary.runs = {400.0, 500.0, 800.0};
     primary.check.rays = 2048;
     return f;
+}
+
+TEST(Timing, WarmsUpUntilTheTimeHasGoneByAndAtLeastOnce) {
+    const Stopwatch watch;
+    int quick = 0, slow = 0;
+    warmUp([&] { quick++; });
+    EXPECT_GE(watch.milliseconds(), kWarmUpMs);
+    EXPECT_GE(quick, 1);
+    warmUp([&] {
+        slow++;
+        std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(kWarmUpMs));
+    });
+    EXPECT_EQ(slow, 1);
 }
 
 TEST(Timing, Median) {

@@ -280,6 +280,25 @@ TEST(Record, BuildsAndTracesInShortRows) {
     expectBruteForce(makeTriangleSet(world), rays, Tracer(*rows).trace(*tree, rays).hits);
 }
 
+// As on a discrete GPU with resizable BAR: writes are direct; what is read goes through the ring if it is much.
+TEST(Record, WorksWithMemoryThatTheHostDoesNotCache) {
+    DeviceOptions options;
+    options.hostCaches = false;
+    options.stagingBytes = 4096;
+    const std::unique_ptr<Device> uncached = openTestDevice(options);
+    std::vector<uint32_t> written(5000);
+    std::iota(written.begin(), written.end(), 7u);
+    Buffer buffer = uploaded(*uncached, std::span<const uint32_t>(written));
+    EXPECT_EQ(buffer.download<uint32_t>(written.size()), written);
+    written[4000] = 1;
+    buffer.write(4000 * sizeof(uint32_t), &written[4000], sizeof(uint32_t));
+    EXPECT_EQ(buffer.download<uint32_t>(written.size()), written);
+    uint32_t few[2];
+    buffer.read(3999 * sizeof(uint32_t), few, sizeof(few));
+    EXPECT_EQ(few[0], written[3999]);
+    EXPECT_EQ(few[1], 1u);
+}
+
 // As on a discrete GPU: no memory is mapped, and a small ring moves everything. Buffers are limited, too, so that
 // scratch memory comes in several.
 TEST(Record, WorksWithoutMappedMemory) {
