@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
+#include <string_view>
 
 namespace cleave::test {
 
@@ -58,6 +59,8 @@ void beforeClose(std::function<void()> release) { releases().push_back(std::move
 std::unique_ptr<Device> openTestDevice(DeviceOptions options) {
     const char* name = std::getenv("CLEAVE_TEST_DEVICE");
     options.nameOrIndex = name ? name : "";
+    const char* noMap = std::getenv("CLEAVE_NO_MAP");
+    if (noMap && std::string_view(noMap) == "1") options.maps = false;  // as the program does
     options.onValidation = [](const char* message) {
         messages()++;
         std::fprintf(stderr, "validation: %s\n", message);
