@@ -1,7 +1,7 @@
 #include "app/bench_peers.h"
 
 #include "base/error.h"
-#include "figures/timing.h"
+#include "base/warm_up.h"
 #include "peers/peers.h"
 
 namespace cleave {
@@ -9,18 +9,14 @@ namespace {
 
 constexpr size_t kRaysOfSlowPeers = 65536;
 
-// The last untimed trace is the one that is compared.
 PeerSetFigures measure(Peer& peer, const RaySet& set, size_t most, uint32_t runs) {
     PeerSetFigures figures;
     if (set.rays.empty()) return figures;
     const std::vector<Ray> rays = sampleOfTiles(std::span(set.rays), most);
     const std::vector<Hit> ours = sampleOfTiles(std::span(set.hits), most);
     figures.rays = rays.size();
-    std::vector<Hit> theirs;
-    warmUp([&] { theirs = peer.trace(rays, set.query).hits; });
-    figures.disagreements = disagreements(ours, theirs, set.query);
-    if (figures.isWrong()) return figures;
-    for (uint32_t i = 0; i < runs; ++i) figures.runs.push_back(peer.trace(rays, set.query).ms);
+    figures.disagreements = disagreements(ours, peer.trace(rays, set.query).hits, set.query);
+    if (!figures.isWrong()) figures.runs = peer.time(rays, set.query, runs);
     return figures;
 }
 

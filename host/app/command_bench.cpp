@@ -22,8 +22,7 @@ void makeSecondaryRays(RaySets& sets, const Session& session) {
     sets[2] = {shadowRays(points, bounds), Query::any, {}};
 }
 
-// Times, then proves a sample of the last untimed trace right: nothing is left of the warm-up after the seconds of CPU
-// work that proving takes. The plain triangle test is not right: how often it is wrong is a figure.
+// Times, and proves a sample right. The plain triangle test is not right: how often it is wrong is a figure.
 SetFigures measure(Run& run, Session& session, const DeviceTree& tree, const RaySet& set, TraceMode mode,
                    const std::string& name, std::vector<Hit>* hits) {
     SetFigures figures;
@@ -32,10 +31,9 @@ SetFigures measure(Run& run, Session& session, const DeviceTree& tree, const Ray
     if (set.rays.empty()) return figures;
     run.progress.phase("tracing " + name + " rays");
     Tracer& tracer = run.device.tracer();
-    Tracer::Result traced;
-    warmUp([&] { traced = tracer.trace(tree, set.rays, mode); });
+    Tracer::Result traced = tracer.trace(tree, set.rays, mode);
     run.progress.phase("timing " + name + " rays");
-    for (uint32_t i = 0; i < run.options.runs; ++i) figures.runs.push_back(tracer.trace(tree, set.rays, mode).ms);
+    figures.runs = tracer.time(tree, set.rays, mode, run.options.runs);
     figures.ms = medianOf(figures.runs);
     figures.invalidRays = traced.invalidRays;
     figures.cappedRays = traced.cappedRays;

@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
+#include "base/warm_up.h"
 #include "facade/host_builders.h"
 #include "figures/timing.h"
 #include "scene/camera.h"

@@ -12,35 +12,35 @@
 namespace cleave {
 
 // Run once, over the triangles: sized like a level of one node with a reference per triangle.
-#define CLEAVE_SETUP_PASSES(ROW)                              \
-    ROW(find_scale, findScale, perRefBlock, block, 0)         \
-    ROW(load_triangles, loadTriangles, perRefBlock, block, 0) \
-    ROW(scan, scanTriangles, once, own, kScanTriangles)       \
-    ROW(make_refs, makeRefs, perRefBlock, block, 0)           \
+#define CLEAVE_SETUP_PASSES(ROW)                             \
+    ROW(find_scale, findScale, perRefBlock, wide, 0)         \
+    ROW(load_triangles, loadTriangles, perRefBlock, wide, 0) \
+    ROW(scan, scanTriangles, once, own, kScanTriangles)      \
+    ROW(make_refs, makeRefs, perRefBlock, wide, 0)           \
     ROW(begin, begin, once, own, 0)
 
 // Run on every level.
-#define CLEAVE_LEVEL_PASSES(ROW)                               \
-    ROW(bounds, bounds, perChunk, chunk, 0)                    \
-    ROW(bin, bin, perChunk, chunk, 0)                          \
-    ROW(choose_split, chooseSplit, perChunk, chunk, 0)         \
-    ROW(nearest, nearest, perChunk, chunk, 0)                  \
-    ROW(snap, snap, perChunkGroup, own, 0)                     \
-    ROW(exact_split, exactSplit, perRefBlock, block, 0)        \
-    ROW(classify, classify, perRefBlock, block, 0)             \
-    ROW(scan, scanRefs, once, own, kScanRefs)                  \
-    ROW(offsets, offsets, perRefBlock, block, 0)               \
-    ROW(count_children, countChildren, perNodeBlock, block, 0) \
-    ROW(next_level, nextLevel, once, own, 0)                   \
-    ROW(emit_nodes, emitNodes, perNodeBlock, block, 0)         \
+#define CLEAVE_LEVEL_PASSES(ROW)                              \
+    ROW(bounds, bounds, perChunk, narrow, 0)                  \
+    ROW(bin, bin, perChunk, narrow, 0)                        \
+    ROW(choose_split, chooseSplit, perChunk, narrow, 0)       \
+    ROW(nearest, nearest, perChunk, narrow, 0)                \
+    ROW(snap, snap, perChunkGroup, own, 0)                    \
+    ROW(exact_split, exactSplit, perRefBlock, wide, 0)        \
+    ROW(classify, classify, perRefBlock, narrow, 0)           \
+    ROW(scan, scanRefs, once, own, kScanRefs)                 \
+    ROW(offsets, offsets, perRefBlock, wide, 0)               \
+    ROW(count_children, countChildren, perNodeBlock, wide, 0) \
+    ROW(next_level, nextLevel, once, own, 0)                  \
+    ROW(emit_nodes, emitNodes, perNodeBlock, wide, 0)         \
     ROW(partition, partition, perRefGroup, own, 0)
 
 // Run once, at the end.
 #define CLEAVE_LAST_PASSES(ROW) ROW(finish_tree, finishTree, once, own, 0)
 
-// Lanes of a workgroup: the kernel's own number, or a specialisation constant that suits the device: one for kernels
-// that treat a block of items, one for those that treat a chunk.
-enum class Lanes { own, block, chunk };
+// Lanes of a workgroup: the kernel's own number, or a specialisation constant that suits the device: a large one, or a
+// small one for kernels that need many registers, or whose lanes add to the same few counters.
+enum class Lanes { own, wide, narrow };
 
 struct BuildPass {
     const char* kernel;

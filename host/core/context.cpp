@@ -10,19 +10,18 @@
 namespace cleave {
 namespace {
 
-constexpr uint32_t kMostChunkLanes = 64;
+constexpr uint32_t kMostNarrow = 64;
 
 // Lanes of a workgroup, powers of two up to kLargestGroup. A CPU device runs 8 lanes at once and pays for each barrier
-// by the lane. On a GPU a lane per item of a block hides the latency of loads; a chunk's lanes add to the same few
-// counters, so that more of them wait for each other.
+// by the lane. On a GPU a lane per item of a block hides the latency of loads.
 struct GroupSizes {
-    uint32_t block = 256;
-    uint32_t chunk = kMostChunkLanes;
+    uint32_t wide = kLargestGroup;
+    uint32_t narrow = kMostNarrow;
     uint32_t refsPerLane = 1;  // in exact_split: of a CPU's few lanes each makes more of a load this way
 };
 
 GroupSizes groupSizes(const VkPhysicalDeviceProperties& properties, uint32_t asked) {
-    if (asked != 0) return {asked, std::min(asked, kMostChunkLanes), 1};
+    if (asked != 0) return {asked, std::min(asked, kMostNarrow), 1};
     return properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? GroupSizes{8, 8, 4} : GroupSizes{};
 }
 
@@ -45,7 +44,7 @@ bool createBuildKernels(Creation& creation, Context::State& state, const GroupSi
             const bool known = std::any_of(state.buildKernels.begin(), state.buildKernels.end(),
                                            [&](const Kernel& k) { return k.name() == pass.kernel; });
             if (known) continue;
-            const uint32_t suited[] = {pass.lanes == Lanes::block ? sizes.block : sizes.chunk, sizes.refsPerLane};
+            const uint32_t suited[] = {pass.lanes == Lanes::wide ? sizes.wide : sizes.narrow, sizes.refsPerLane};
             const std::span<const uint32_t> constants(suited, pass.lanes == Lanes::own ? 0 : 2);
             if (!creation.create(state.buildKernels.emplace_back(), pass.kernel, sizeof(BuildPush), constants))
                 return false;

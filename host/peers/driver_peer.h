@@ -19,6 +19,8 @@ class DriverPeer : public Peer {
     double build() override { return scene_.build(); }
     // Milliseconds on the device, rays and hits being there.
     Traced trace(std::span<const Ray> rays, Query query) override;
+    // After a warm-up (base/warm_up.h), with rays and hits staying on the device.
+    std::vector<double> time(std::span<const Ray> rays, Query query, uint32_t runs) override;
 
   protected:
     Device& device() const { return device_; }
@@ -30,6 +32,14 @@ class DriverPeer : public Peer {
     Device& device_;
     DriverScene scene_;
     Commands commands_;
+
+    // Rays and hits of a query.
+    struct Placed {
+        Buffer rays, hits;
+        PeerTracePush push;
+    };
+    Placed placed(std::span<const Ray> rays);
+    double run(const PeerTracePush& push, Query query);  // milliseconds
 };
 
 }  // namespace cleave

@@ -37,6 +37,12 @@ class Peer {
     };
     // After build(). Rays that are not valid are answered as misses.
     virtual Traced trace(std::span<const Ray> rays, Query query) = 0;
+    // The milliseconds of each of `runs` more traces of the same rays.
+    virtual std::vector<double> time(std::span<const Ray> rays, Query query, uint32_t runs) {
+        std::vector<double> ms;
+        for (uint32_t i = 0; i < runs; ++i) ms.push_back(trace(rays, query).ms);
+        return ms;
+    }
 };
 
 }  // namespace cleave

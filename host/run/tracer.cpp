@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/stopwatch.h"
+#include "base/warm_up.h"
 #include "gpu/commands.h"
 #include "run/context_of.h"
 #include "shared/trace.h"
@@ -32,6 +32,30 @@ struct Tracer::State {
         if (buffer.size() >= bytes) return;
         buffer = Buffer();
         buffer = Buffer(device, bytes);
+    }
+
+    std::span<const Ray> batchAt(std::span<const Ray> all, size_t first) const {
+        return all.subspan(first, std::min(limits.batch, all.size() - first));
+    }
+
+    // Puts a batch of rays on the device, with what their query needs beside them.
+    TraceInfo placed(const DeviceTree& tree, std::span<const Ray> batch, const TraceMode& mode) {
+        reserve(rays, batch.size_bytes());
+        reserve(hits, batch.size() * sizeof(Hit));
+        reserve(trails, batch.size() * sizeof(Trail));
+        if (mode.countSteps) reserve(steps, batch.size() * sizeof(StepCount));
+        rays.upload(batch);
+        TraceInfo info;
+        info.tree = tree.address();
+        info.rays = rays.address();
+        info.hits = hits.address();
+        info.trails = trails.address();
+        info.count = static_cast<uint32_t>(batch.size());
+        info.mode = mode;
+        info.counters = counters.address();
+        if (mode.countSteps) info.steps = steps.address();
+        info.stepLimit = limits.stepLimit;
+        return info;
     }
 
     // Runs one dispatch; what it counted.
@@ -87,29 +111,33 @@ Tracer::Result Tracer::trace(const DeviceTree& tree, std::span<const Ray> rays, 
     result.hits.resize(rays.size());
     if (mode.countSteps) result.steps.resize(rays.size());
     for (size_t first = 0; first < rays.size(); first += s.limits.batch) {
-        const std::span<const Ray> batch = rays.subspan(first, std::min(s.limits.batch, rays.size() - first));
-        s.reserve(s.rays, batch.size_bytes());
-        s.reserve(s.hits, batch.size() * sizeof(Hit));
-        s.reserve(s.trails, batch.size() * sizeof(Trail));
-        if (mode.countSteps) s.reserve(s.steps, batch.size() * sizeof(StepCount));
-        s.rays.upload(batch);
+        const std::span<const Ray> batch = s.batchAt(rays, first);
+        TraceInfo info = s.placed(tree, batch, mode);
         if (!from.empty()) s.hits.upload(from.subspan(first, batch.size()));
-        TraceInfo info;
-        info.tree = tree.address();
-        info.rays = s.rays.address();
-        info.hits = s.hits.address();
-        info.trails = s.trails.address();
-        info.count = static_cast<uint32_t>(batch.size());
-        info.mode = mode;
-        info.counters = s.counters.address();
-        if (mode.countSteps) info.steps = s.steps.address();
         info.fromHits = !from.empty();
-        info.stepLimit = s.limits.stepLimit;
         s.trace(traced, info, result);
         s.hits.read(0, &result.hits[first], batch.size() * sizeof(Hit));
         if (mode.countSteps) s.steps.read(0, &result.steps[first], batch.size() * sizeof(StepCount));
     }
     return result;
+}
+
+std::vector<double> Tracer::time(const DeviceTree& tree, std::span<const Ray> rays, const TraceMode& mode,
+                                 uint32_t runs) {
+    State& s = *state_;
+    const Context& traced = context(mode);
+    std::vector<double> ms(runs, 0.0);
+    for (size_t first = 0; first < rays.size(); first += s.limits.batch) {
+        const TraceInfo info = s.placed(tree, s.batchAt(rays, first), mode);
+        const auto once = [&] {
+            Result result;
+            s.trace(traced, info, result);
+            return result.ms;
+        };
+        warmUp(once);
+        for (double& sum : ms) sum += once();
+    }
+    return ms;
 }
 
 }  // namespace cleave

@@ -38,6 +38,10 @@ class Tracer {
     Result trace(const DeviceTree& tree, std::span<const Ray> rays, const TraceMode& mode = {},
                  std::span<const Hit> from = {});
 
+    // Traces the same rays `runs` times, after a warm-up (base/warm_up.h), with rays and hits staying on the device:
+    // the milliseconds that each took there.
+    std::vector<double> time(const DeviceTree& tree, std::span<const Ray> rays, const TraceMode& mode, uint32_t runs);
+
     // The context that traces in a mode, made when it is first asked for. CPU devices compile at the first dispatch:
     // one without rays is run, so that a query's time is the query's.
     const Context& context(const TraceMode& mode);

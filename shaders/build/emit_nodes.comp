@@ -62,7 +62,7 @@ void main() {
         BuildNode node = nodesIn().at[k];
         sum += nodeCounts(node, childCounts(node));
     }
-    sum = args.nodeSums.at[block] + sumBefore(sum);
+    sum = args.nodeSums.at[block] + sumBefore(sum, gl_WorkGroupSize.x);
     for (uint k = from; k < to; k++) {
         BuildNode node = nodesIn().at[k];
         uvec2 children = childCounts(node);

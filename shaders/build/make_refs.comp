@@ -15,7 +15,7 @@ void main() {
     uint to = min(from + run, args.triangleCount);
     uint sum = 0u;
     for (uint k = from; k < to; k++) sum += args.sides.at[k];
-    sum = args.blockSums.at[block].x + sumBefore(uvec4(sum, 0u, 0u, 0u)).x;
+    sum = args.blockSums.at[block].x + sumBefore(uvec4(sum, 0u, 0u, 0u), gl_WorkGroupSize.x).x;
     for (uint k = from; k < to; k++) {
         if (args.sides.at[k] == 0u) continue;
         Box b = triangleBox(withoutNumber(args.triangles.at[k]));

@@ -7,8 +7,8 @@
 layout(local_size_x = kLargestGroup) in;
 
 void main() {
-    uvec4 totals = scanInPlace(args.nodeSums, ceilDiv(thisLevel.nodeCount, kBlock));
-    if (!isLastInvocation()) return;
+    uvec4 totals = scanInPlace(args.nodeSums, ceilDiv(thisLevel.nodeCount, kBlock), kLargestGroup);
+    if (gl_LocalInvocationID.x != kLargestGroup - 1u) return;
     uint refs = args.state.at.refTotals.x + args.state.at.refTotals.y;
     uint nodes = args.state.at.nodesUsed + 2u * totals.x;
     // All references of the next level may end in leaves: they must fit there, too.

@@ -19,7 +19,7 @@ void main() {
     uint to = min(from + run, refCount);
     uvec2 sum = uvec2(0u);
     for (uint k = from; k < to; k++) sum += countsOf(args.sides.at[k]);
-    uvec4 before = args.blockSums.at[block] + sumBefore(uvec4(sum.x, sum.y, 0u, 0u));
+    uvec4 before = args.blockSums.at[block] + sumBefore(uvec4(sum.x, sum.y, 0u, 0u), gl_WorkGroupSize.x);
     sum = uvec2(before.x, before.y);
     for (uint k = from; k < to; k++) {
         args.offsets.at[k] = sum;

@@ -8,6 +8,6 @@ layout(local_size_x = kLargestGroup) in;
 
 void main() {
     uint items = push.scans == kScanRefs ? thisLevel.refCount : args.triangleCount;
-    uvec4 total = scanInPlace(args.blockSums, ceilDiv(items, kBlock));
-    if (isLastInvocation()) args.state.at.refTotals = total;
+    uvec4 total = scanInPlace(args.blockSums, ceilDiv(items, kBlock), kLargestGroup);
+    if (gl_LocalInvocationID.x == kLargestGroup - 1u) args.state.at.refTotals = total;
 }

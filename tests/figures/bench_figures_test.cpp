@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "base/text.h"
+#include "base/warm_up.h"
 #include "figures/json.h"
 #include "figures/timing.h"
 
