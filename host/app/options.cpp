@@ -173,7 +173,7 @@ void addBuild(CLI::App& app, Options& options, bool several) {
 }
 
 void addTraversal(CLI::App& app, Options& options, bool several) {
-    addNames(app, "--traversal", "how rays go; left out: what the device is best at", options.traversals, kTraversals,
+    addNames(app, "--traversal", "how rays go (stack)", options.traversals, kTraversals,
              several);
     addNames(app, "--triangle-test", "how hits are decided", options.triangleTests, kTriangleTests, several);
     addWhole(app, "--check", "judge so many of the rays by the reference", options.check, 1, uint64_t{1} << 32);

@@ -18,7 +18,7 @@ void Run::warn(const std::string& text) {
 
 std::vector<Traversal> Run::traversals() {
     if (!options.traversals.empty()) return options.traversals;
-    return {defaultTraversal(device.device())};
+    return {kDefaultTraversal};
 }
 
 }  // namespace cleave

@@ -78,10 +78,6 @@ struct Tracer::State {
     }
 };
 
-Traversal defaultTraversal(const Device& device) {
-    return device.properties().deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? Traversal::stack : Traversal::restart;
-}
-
 Tracer::Tracer(Device& device, TraceLimits limits) : state_(std::make_unique<State>(device, limits)) {}
 Tracer::~Tracer() = default;
 
