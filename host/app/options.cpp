@@ -173,8 +173,7 @@ void addBuild(CLI::App& app, Options& options, bool several) {
 }
 
 void addTraversal(CLI::App& app, Options& options, bool several) {
-    addNames(app, "--traversal", "how rays go (stack)", options.traversals, kTraversals,
-             several);
+    addNames(app, "--traversal", "how rays go (stack)", options.traversals, kTraversals, several);
     addNames(app, "--triangle-test", "how hits are decided", options.triangleTests, kTriangleTests, several);
     addWhole(app, "--check", "judge so many of the rays by the reference", options.check, 1, uint64_t{1} << 32);
 }
@@ -243,7 +242,9 @@ void addBench(CLI::App& app, Options& options) {
     addTraversal(app, options, true);
     CLI::Option* survey =
         app.add_flag("--survey", options.survey, "the survey's tables, measured again with each of its builders");
-    app.add_flag("--work", options.work, "nodes, triangle tests and lanes in use per ray, time per pass and level of a build on the device, too");
+    app.add_flag(
+        "--work", options.work,
+        "nodes, triangle tests and lanes in use per ray, time per pass and level of a build on the device, too");
     app.add_flag("--peers", options.peers,
                  "beside other ray tracers: the driver's own, Embree, a plain stack walk in C++");
     for (const char* fixed : {"--builder", "--traversal", "--triangle-test", "--peers", "--work"})

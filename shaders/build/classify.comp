@@ -1,7 +1,6 @@
 #version 460
 // Which side each reference goes to; straddling ones are clipped to both cells. A workgroup per block.
 #extension GL_GOOGLE_include_directive : require
-#extension GL_EXT_control_flow_attributes : require
 #include "lib/build.glsl"
 #include "shared/clip.h"
 

@@ -27,96 +27,19 @@ CLEAVE_FN vec3 cutEdge(vec3 inside, vec3 outside, uint axis, float position) {
     return p;
 }
 
-// A convex polygon as its edges, in no order. Each cut adds at most one, in a place of its own, so that every index is
-// known when a kernel is compiled: a GPU keeps arrays that are indexed otherwise in memory, and lavapipe reads and
-// writes them lane by lane.
-CLEAVE_CONST uint kMostEdges = 9u;  // a triangle, cut by six planes
-struct EdgeSet {
-    vec3 from[9];
-    vec3 to[9];
-    uint used;  // a bit for each edge that is there
-};
-
-// The edges that cross a plane: two, or none, of a convex polygon.
-struct Crossings {
-    vec3 inside0, outside0;
-    vec3 inside1, outside1;
-    uint first;  // index of the edge; kMostEdges if there is none
-    uint last;   // the same one, if there is but one
-};
-
-CLEAVE_FN bool isWithin(vec3 p, uint axis, float position, bool below) {
-    return below ? p[axis] <= position : p[axis] >= position;
-}
-
-CLEAVE_FN Crossings crossingsOf(EdgeSet edges, uint axis, float position, bool below) {
-    Crossings c;
-    c.inside0 = vec3(0.0f);
-    c.outside0 = vec3(0.0f);
-    c.inside1 = vec3(0.0f);
-    c.outside1 = vec3(0.0f);
-    c.first = kMostEdges;
-    c.last = kMostEdges;
-    CLEAVE_UNROLL for (uint i = 0u; i < kMostEdges; i++) {
-        bool fromIn = isWithin(edges.from[i], axis, position, below);
-        bool toIn = isWithin(edges.to[i], axis, position, below);
-        if ((edges.used >> i & 1u) == 0u || fromIn == toIn) continue;
-        // From the inside out, whatever the direction of travel: neighbours cut a shared edge alike.
-        c.inside1 = fromIn ? edges.from[i] : edges.to[i];
-        c.outside1 = fromIn ? edges.to[i] : edges.from[i];
-        c.last = i;
-        if (c.first == kMostEdges) {
-            c.inside0 = c.inside1;
-            c.outside0 = c.outside1;
-            c.first = i;
-        }
+// The larger box that also holds the points of an edge from `from` to `to` that have x[axis] <= position (below) or
+// >= position (above): its start, if that is such a point, and where it crosses the plane.
+CLEAVE_FN Box includingEdge(Box b, vec3 from, vec3 to, uint axis, float position, bool below) {
+    bool fromIn = below ? from[axis] <= position : from[axis] >= position;
+    bool toIn = below ? to[axis] <= position : to[axis] >= position;
+    if (fromIn) b = including(b, from);
+    // From the inside out, whatever the direction of travel: neighbours cut a shared edge alike.
+    if (fromIn != toIn) {
+        vec3 inside = fromIn ? from : to;
+        vec3 outside = fromIn ? to : from;
+        b = including(b, cutEdge(inside, outside, axis, position));
     }
-    return c;
-}
-
-// Cuts off what lies beyond a plane; the new edge along the plane gets the place `added`. Where rounding has bent the
-// polygon so that more than two edges cross, those between the first and the last stay whole, which loses nothing.
-CLEAVE_FN EdgeSet cutAt(EdgeSet edges, uint axis, float position, bool below, uint added) {
-    Crossings c = crossingsOf(edges, axis, position, below);
-    bool crosses = c.first != kMostEdges;
-    vec3 cut0 = vec3(0.0f);
-    vec3 cut1 = vec3(0.0f);
-    if (crosses) {
-        cut0 = cutEdge(c.inside0, c.outside0, axis, position);
-        cut1 = cutEdge(c.inside1, c.outside1, axis, position);
-    }
-    CLEAVE_UNROLL for (uint i = 0u; i < kMostEdges; i++) {
-        bool fromIn = isWithin(edges.from[i], axis, position, below);
-        bool toIn = isWithin(edges.to[i], axis, position, below);
-        if (!fromIn && !toIn) edges.used &= ~(1u << i);
-        if (i == c.first && !fromIn) edges.from[i] = cut0;
-        if (i == c.first && !toIn) edges.to[i] = cut0;
-        if (i == c.last && i != c.first && !fromIn) edges.from[i] = cut1;
-        if (i == c.last && i != c.first && !toIn) edges.to[i] = cut1;
-        if (i == added && crosses) {
-            edges.from[i] = cut0;
-            edges.to[i] = cut1;
-            edges.used |= 1u << i;
-        }
-    }
-    return edges;
-}
-
-// The box of the polygon's part on one side of a plane.
-CLEAVE_FN Box boxWithin(EdgeSet edges, uint axis, float position, bool below) {
-    Crossings c = crossingsOf(edges, axis, position, below);
-    Box b = emptyBox();
-    CLEAVE_UNROLL for (uint i = 0u; i < kMostEdges; i++) {
-        if ((edges.used >> i & 1u) == 0u) continue;
-        bool fromIn = isWithin(edges.from[i], axis, position, below);
-        bool toIn = isWithin(edges.to[i], axis, position, below);
-        bool isWhole = fromIn != toIn && i != c.first && i != c.last;
-        if (fromIn || isWhole) b = including(b, edges.from[i]);
-        if (toIn || isWhole) b = including(b, edges.to[i]);
-    }
-    if (c.first == kMostEdges) return b;
-    b = including(b, cutEdge(c.inside0, c.outside0, axis, position));
-    return including(b, cutEdge(c.inside1, c.outside1, axis, position));
+    return b;
 }
 
 // From coordinates relative to `origin`, widened by `margin` and rounded outward, to a box within `cell` and `bounds`.
@@ -139,17 +62,14 @@ struct SplitBoxes {
 };
 
 CLEAVE_FN SplitBoxes splitBoxes(Triangle t, Box box, uint splitAxis, float split) {
-    EdgeSet edges;
-    CLEAVE_UNROLL for (uint i = 0u; i < kMostEdges; i++) {
-        edges.from[i] = vec3(0.0f);
-        edges.to[i] = vec3(0.0f);
-    }
-    edges.to[0] = t.b - t.a;
-    edges.from[1] = edges.to[0];
-    edges.to[1] = t.c - t.a;
-    edges.from[2] = edges.to[1];
-    edges.used = 7u;
-    float extent = max(largestComponent(edges.to[0]), largestComponent(edges.to[1]));
+    // Two polygons of up to 9 vertices (a triangle cut by six planes): the one that is cut, and the result.
+    vec3 at[18];
+    uint now = 0u;
+    uint count = 3u;
+    at[0] = vec3(0.0f);
+    at[1] = t.b - t.a;
+    at[2] = t.c - t.a;
+    float extent = max(largestComponent(at[1]), largestComponent(at[2]));
     precise float margin = 7.62939453125e-06f * extent + kSmallestNormal;
     Box bounds = triangleBox(t);
     for (uint plane = 0u; plane < 6u; plane++) {
@@ -158,12 +78,46 @@ CLEAVE_FN SplitBoxes splitBoxes(Triangle t, Box box, uint splitAxis, float split
         if (below ? bounds.hi[axis] <= box.hi[axis] : bounds.lo[axis] >= box.lo[axis]) continue;
         precise float position = (below ? box.hi[axis] : box.lo[axis]) - t.a[axis];
         position = below ? position + margin : position - margin;
-        edges = cutAt(edges, axis, position, below, 3u + plane);
+        uint inside = 0u;
+        for (uint i = 0u; i < count; i++) {
+            float x = at[now + i][axis];
+            if (below ? x <= position : x >= position) inside |= 1u << i;
+        }
+        uint all = (1u << count) - 1u;
+        if (inside == all) continue;
+        if (inside == 0u) {
+            count = 0u;
+            break;
+        }
+        // The inside vertices of a convex polygon follow each other: they, then the two cuts, are the new polygon.
+        uint starts = inside & ~((inside << 1 | inside >> (count - 1u)) & all);
+        uint first = lowestBit(starts);
+        uint from = first;
+        uint last = first;
+        uint next = 9u - now;
+        uint n = 0u;
+        while ((inside >> from & 1u) != 0u) {
+            at[next + n] = at[now + from];
+            n++;
+            last = from;
+            from = from + 1u < count ? from + 1u : 0u;
+        }
+        uint before = first > 0u ? first - 1u : count - 1u;
+        at[next + n] = cutEdge(at[now + last], at[now + from], axis, position);
+        at[next + n + 1u] = cutEdge(at[now + first], at[now + before], axis, position);
+        count = n + 2u;
+        now = next;
     }
     precise float position = split - t.a[splitAxis];
+    Box l = emptyBox();
+    Box r = emptyBox();
+    for (uint i = 0u; i < count; i++) {
+        vec3 from = at[now + i];
+        vec3 to = at[now + (i + 1u < count ? i + 1u : 0u)];
+        l = includingEdge(l, from, to, splitAxis, position + margin, true);
+        r = includingEdge(r, from, to, splitAxis, position - margin, false);
+    }
     SplitBoxes s;
-    Box l = boxWithin(edges, splitAxis, position + margin, true);
-    Box r = boxWithin(edges, splitAxis, position - margin, false);
     s.left = placedBox(l, t.a, margin, leftOf(box, splitAxis, split), bounds);
     s.right = placedBox(r, t.a, margin, rightOf(box, splitAxis, split), bounds);
     return s;

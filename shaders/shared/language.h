@@ -19,7 +19,6 @@
 #define CLEAVE_SIZE(Type, bytes) static_assert(sizeof(Type) == bytes, #Type " must have this size in GLSL too")
 // The address of a device buffer; in GLSL a buffer_reference of the named type.
 #define CLEAVE_ADDRESS(Type) uint64_t
-#define CLEAVE_UNROLL
 #define precise
 
 namespace cleave {
@@ -53,7 +52,6 @@ inline uint highestBit(uint x) { return 31u - static_cast<uint>(std::countl_zero
 #define CLEAVE_CONST const
 #define CLEAVE_SIZE(Type, bytes)
 #define CLEAVE_ADDRESS(Type) Type
-#define CLEAVE_UNROLL [[unroll]]
 uint lowestBit(uint x) { return uint(findLSB(x)); }
 uint highestBit(uint x) { return uint(findMSB(x)); }
 // e from -1022 to 1023.
