@@ -16,24 +16,21 @@ constexpr double kLargestLinear = 50.0;
 
 constexpr const char* kStyle = R"(
 :root { color-scheme: light; }
-body { max-width: 52rem; margin: 2rem auto 4rem; padding: 0 1.2rem; color: #1a1a1a; background: #fff;
+body { max-width: 58rem; margin: 2rem auto 4rem; padding: 0 1.2rem; color: #1a1a1a; background: #fff;
   font: 1rem/1.5 system-ui, "Segoe UI", "Helvetica Neue", Arial, sans-serif; }
 h1 { font-size: 1.7rem; line-height: 1.2; margin: 0 0 1rem; }
 h2 { font-size: 1.35rem; margin: 2.8rem 0 .4rem; padding-top: .8rem; border-top: 2px solid #1a1a1a; overflow-wrap: anywhere; }
 h3 { font-size: 1.08rem; margin: 2rem 0 .3rem; }
 p { margin: .4rem 0 .8rem; max-width: 46rem; }
 code { font: .9em ui-monospace, "DejaVu Sans Mono", Menlo, monospace; overflow-wrap: anywhere; }
-.plot { display: block; width: 100%; height: auto; margin: .6rem 0; fill: #1a1a1a; font-family: inherit; }
-.plot .grid { stroke: #e3e3e3; } .plot .zero { stroke: #9a9a9a; } .plot .axis { stroke: #1a1a1a; }
-.plot .spread { stroke: #8a8a8a; stroke-width: 1.2; }
-.plot .front { fill: none; stroke: #555; stroke-width: 1.4; stroke-dasharray: 5 3; }
+.plot { display: block; width: 100%; height: auto; margin: .6rem 0; font-family: inherit; }
 .wide { overflow-x: auto; }
 table { border-collapse: collapse; margin: .6rem 0 1rem; font-size: .86rem; line-height: 1.35; font-variant-numeric: tabular-nums; }
 caption { text-align: left; font-weight: 600; padding-bottom: .3rem; }
 th, td { padding: .18rem .7rem .18rem 0; text-align: left; vertical-align: top; }
 th { border-bottom: 1px solid #1a1a1a; font-weight: 600; }
 td { border-bottom: 1px solid #e6e6e6; }
-.n { text-align: right; white-space: nowrap; }
+.n { text-align: right; } .n, .s { white-space: nowrap; }
 .best { font-weight: 700; }
 .failure { border-left: 4px solid #D55E00; padding-left: .8rem; overflow-wrap: anywhere; }
 @media print { body { max-width: none; margin: 0; font-size: 9.5pt; } h3, .plot, tr { break-inside: avoid; }
@@ -44,6 +41,7 @@ std::string paragraph(const std::string& html) { return "<p>" + html + "</p>\n";
 
 // A cell of a table. What begins with a mark is the best of its column.
 using Row = std::vector<std::string>;
+constexpr size_t kShort = 24;  // no break in a cell of fewer bytes
 constexpr const char* kBest = "\u2605 ";
 
 // The first row is the head. `alignment` has a letter per column, l or r.
@@ -54,7 +52,7 @@ std::string table(const std::string& caption, const std::vector<Row>& rows, std:
         const char* tag = i == 0 ? "th" : "td";
         for (size_t column = 0; column < rows[i].size(); ++column) {
             const std::string& cell = rows[i][column];
-            std::string kind = alignment[column] == 'r' ? "n" : "";
+            std::string kind = alignment[column] == 'r' ? "n" : cell.size() < kShort ? "s" : "";
             if (cell.starts_with(kBest)) kind += kind.empty() ? "best" : " best";
             html += "<" + std::string(tag) + (i == 0 ? " scope=\"col\"" : "") +
                     (kind.empty() ? "" : " class=\"" + kind + "\"") + ">" + escaped(cell) + "</" + tag + ">";
@@ -105,10 +103,11 @@ std::string plotOf(const std::vector<ErrorRow>& rows, const std::string& title, 
 std::string builderOf(const ErrorRow& row) { return row.builder; }
 
 std::string treeSection(const SceneErrors& scene) {
-    std::string html = "<h3>Tree: cost above the best known, against build time</h3>\n" +
+    std::string html = "<h3>Tree: cost above that of <code>exact</code>, against build time</h3>\n" +
                        paragraph(
                            "Error: by how many per cent the tree\u2019s expected cost by the surface area "
-                           "heuristic is above that of <code>exact</code>, which tries every plane. Time: from "
+                           "heuristic is above that of <code>exact</code>, which tries every plane; being greedy, it "
+                           "can be beaten. Time: from "
                            "triangles in memory, or on the device, to a tree ready to trace; warm.");
     html += plotOf(scene.tree, scene.name + ": SAH cost above exact's against build time", "build time, ms",
                    "SAH cost above exact's, %", builderOf,
@@ -155,23 +154,23 @@ std::string imageTable(const SceneErrors& scene) {
 }
 
 std::string raySection(const SceneErrors& scene, const ReportPage& page) {
-    std::string html = "<h3>Rays: tracing time above that through the best tree, against build time</h3>\n" +
-                       paragraph("Error: by how many per cent all sets of rays (primary, diffuse and shadow, up to " +
-                                 grouped(page.raysOfSet) +
-                                 " each) take longer than through the tree of <code>exact</code>, by the "
-                                 "same traversal (" +
-                                 escaped(page.traversal) +
-                                 "). Below 0 they take less. The error\u2019s bar is that "
-                                 "of the tracing times over exact\u2019s median.");
+    std::string html =
+        "<h3>Rays: tracing time above that through the tree of <code>exact</code>, against build time</h3>\n" +
+        paragraph("Error: by how many per cent all sets of rays (primary, diffuse and shadow, up to " +
+                  grouped(page.raysOfSet) +
+                  " each) take longer than through the tree of <code>exact</code>, by the "
+                  "same traversal (" +
+                  escaped(page.traversal) +
+                  "). Below 0 they take less. The error\u2019s bar is that "
+                  "of the tracing times over exact\u2019s median.");
     html += plotOf(scene.rays, scene.name + ": tracing time above that through exact's tree against build time",
                    "build time, ms", "tracing time above exact's, %", builderOf, builderOf);
     std::vector<Row> rows{{"builder", "error, %", "low\u2013high", "build ms", "low\u2013high", "primary ms",
                            "diffuse ms", "shadow ms", "runs", "front"}};
     for (size_t i = 0; i < scene.rays.size(); ++i) {
         const ErrorRow& row = scene.rays[i];
-        rows.push_back({row.builder, errorText(row.error),
-                        errorText(row.errorLow) + "\u2013" + errorText(row.errorHigh), median(row.time),
-                        rangeOf(row.time)});
+        rows.push_back({row.builder, errorText(row.error), errorText(row.errorLow) + " to " + errorText(row.errorHigh),
+                        median(row.time), rangeOf(row.time)});
         for (const Spread& set : scene.rayTimes[i].sets)
             rows.back().push_back(set.runs == 0 ? "-" : median(set) + " (" + rangeOf(set) + ")");
         rows.back().insert(rows.back().end(), {std::to_string(row.time.runs), row.pareto ? "\u25CF" : ""});
@@ -256,7 +255,7 @@ std::string reportHtml(const ReportPage& page) {
         "<title>cleave: error against run time</title>\n<style>" +
         std::string(kStyle) + "</style>\n</head>\n<body>\n<h1>Error against run time</h1>\n";
     html += paragraph(
-        "What more time buys: how far each tree, and each answer to a ray, is from the best known or the "
+        "What more time buys: how far each tree, and each answer to a ray, is from the best builder\u2019s or the "
         "exact one, against what it took. Below and to the left is better. A point is on the Pareto front, "
         "filled and joined by the dashed line, if none of the same scene is at most as large in both and "
         "smaller in one. Times are medians; their spread, lowest to highest of the runs, is beside each.");

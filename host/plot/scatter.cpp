@@ -33,9 +33,16 @@ struct Rectangle {
 
 std::string number(double value) { return fixed(value, 1); }
 
-std::string line(double x1, double y1, double x2, double y2, const char* kind) {
-    return "<line class=\"" + std::string(kind) + "\" x1=\"" + number(x1) + "\" y1=\"" + number(y1) + "\" x2=\"" +
-           number(x2) + "\" y2=\"" + number(y2) + "\"/>\n";
+// How lines are drawn, as attributes, so that a plot looks the same under any style sheet.
+constexpr const char* kGrid = "stroke=\"#e3e3e3\"";
+constexpr const char* kZero = "stroke=\"#9a9a9a\"";
+constexpr const char* kAxis = "stroke=\"#1a1a1a\"";
+constexpr const char* kSpread = "stroke=\"#8a8a8a\" stroke-width=\"1.2\"";
+constexpr const char* kFront = "fill=\"none\" stroke=\"#555\" stroke-width=\"1.4\" stroke-dasharray=\"5 3\"";
+
+std::string line(double x1, double y1, double x2, double y2, const char* look) {
+    return "<line " + std::string(look) + " x1=\"" + number(x1) + "\" y1=\"" + number(y1) + "\" x2=\"" + number(x2) +
+           "\" y2=\"" + number(y2) + "\"/>\n";
 }
 
 std::string text(double x, double y, const char* anchor, const std::string& content, const std::string& more = "") {
@@ -56,12 +63,12 @@ class Drawing {
     explicit Drawing(const ScatterPlot& plot)
         : plot_(plot),
           xAxis_(plot.xScale, least(&PlotPoint::xLow), most(&PlotPoint::xHigh)),
-          yAxis_(plot.yScale, std::min(0.0, least(&PlotPoint::yLow)), std::max(0.0, most(&PlotPoint::yHigh))) {}
+          yAxis_(plot.yScale, lowest(), highest()) {}
 
     std::string svg() const {
         return "<svg class=\"plot\" role=\"img\" viewBox=\"0 0 " + fixed(kPlotWidth, 0) + " " + fixed(kPlotHeight, 0) +
-               "\" font-size=\"11\">\n<title>" + escaped(plot_.title) + "</title>\n" + axes() + staircase() +
-               spreads() + marks() + labels() + legend() + "</svg>\n";
+               "\" font-size=\"11\" fill=\"#1a1a1a\">\n<title>" + escaped(plot_.title) + "</title>\n" + axes() +
+               staircase() + spreads() + marks() + labels() + legend() + "</svg>\n";
     }
 
   private:
@@ -78,6 +85,12 @@ class Drawing {
         for (const PlotPoint& p : plot_.points) found = std::max(found, p.*value);
         return found;
     }
+    // Zero is always shown: an error is a distance from it. One unit is, where all are zero.
+    double lowest() const { return std::min(0.0, least(&PlotPoint::yLow)); }
+    double highest() const {
+        const double found = std::max(0.0, most(&PlotPoint::yHigh));
+        return found > lowest() ? found : lowest() + 1.0;
+    }
     double x(double value) const { return kPlotLeft + xAxis_.at(value) * (kPlotRight - kPlotLeft); }
     double y(double value) const { return kPlotBottom - yAxis_.at(value) * (kPlotBottom - kPlotTop); }
 
@@ -85,18 +98,18 @@ class Drawing {
         std::string out;
         for (const Tick& tick : xAxis_.ticks()) {
             const double at = x(tick.value);
-            out += line(at, kPlotTop, at, kPlotBottom, "grid") + text(at, kPlotBottom + 16.0, "middle", tick.label);
+            out += line(at, kPlotTop, at, kPlotBottom, kGrid) + text(at, kPlotBottom + 16.0, "middle", tick.label);
         }
         double below = kPlotBottom + kLeastTickDistance;
         for (const Tick& tick : yAxis_.ticks()) {
             const double at = y(tick.value);
             if (below - at < kLeastTickDistance) continue;
             below = at;
-            out += line(kPlotLeft, at, kPlotRight, at, tick.value == 0.0 ? "zero" : "grid") +
+            out += line(kPlotLeft, at, kPlotRight, at, tick.value == 0.0 ? "zero" : kGrid) +
                    text(kPlotLeft - 7.0, at + 4.0, "end", tick.label);
         }
-        out += line(kPlotLeft, kPlotBottom, kPlotRight, kPlotBottom, "axis") +
-               line(kPlotLeft, kPlotTop, kPlotLeft, kPlotBottom, "axis");
+        out += line(kPlotLeft, kPlotBottom, kPlotRight, kPlotBottom, kAxis) +
+               line(kPlotLeft, kPlotTop, kPlotLeft, kPlotBottom, kAxis);
         const double middle = 0.5 * (kPlotTop + kPlotBottom);
         out += text(0.5 * (kPlotLeft + kPlotRight), kPlotBottom + 38.0, "middle", plot_.xTitle, " font-size=\"12\"");
         out += text(16.0, middle, "middle", plot_.yTitle,
@@ -113,14 +126,14 @@ class Drawing {
                          [](const PlotPoint* a, const PlotPoint* b) { return a->x < b->x; });
         std::string path = "M" + number(x(front.front()->x)) + " " + number(kPlotTop);
         for (const PlotPoint* p : front) path += "H" + number(x(p->x)) + "V" + number(y(p->y));
-        return "<path class=\"front\" d=\"" + path + "H" + number(kPlotRight) + "\"/>\n";
+        return "<path " + std::string(kFront) + " d=\"" + path + "H" + number(kPlotRight) + "\"/>\n";
     }
 
     std::string spreads() const {
         std::string out;
         for (const PlotPoint& p : plot_.points) {
-            if (x(p.xHigh) - x(p.xLow) > kMark) out += line(x(p.xLow), y(p.y), x(p.xHigh), y(p.y), "spread");
-            if (y(p.yLow) - y(p.yHigh) > kMark) out += line(x(p.x), y(p.yLow), x(p.x), y(p.yHigh), "spread");
+            if (x(p.xHigh) - x(p.xLow) > kMark) out += line(x(p.xLow), y(p.y), x(p.xHigh), y(p.y), kSpread);
+            if (y(p.yLow) - y(p.yHigh) > kMark) out += line(x(p.x), y(p.yLow), x(p.x), y(p.yHigh), kSpread);
         }
         return out;
     }
@@ -192,7 +205,7 @@ class Drawing {
             out +=
                 mark(i, kPlotRight + 22.0, at, true, "") + text(kPlotRight + 34.0, at + 4.0, "start", plot_.series[i]);
         at += 8.0;
-        out += "<path class=\"front\" d=\"M" + number(kPlotRight + 14.0) + " " + number(at) + "h16\"/>\n" +
+        out += "<path " + std::string(kFront) + " d=\"M" + number(kPlotRight + 14.0) + " " + number(at) + "h16\"/>\n" +
                text(kPlotRight + 34.0, at + 4.0, "start", "Pareto front");
         return out + text(kPlotRight + 14.0, at + 24.0, "start", "filled: on the front") +
                text(kPlotRight + 14.0, at + 40.0, "start", "bars: lowest to highest");

@@ -41,14 +41,15 @@ TEST(Scatter, IsTheSameTextEveryTime) { EXPECT_EQ(scatterSvg(threePoints()), sca
 
 TEST(Scatter, SpreadsAreBarsWhereTheyCanBeSeen) {
     ScatterPlot plot = threePoints();
-    EXPECT_EQ(countOf(scatterSvg(plot), "class=\"spread\""), 0u);
+    EXPECT_EQ(countOf(scatterSvg(plot), "stroke=\"#8a8a8a\""), 0u);
     plot.points[1].xLow = 5.0;
     plot.points[1].xHigh = 20.0;
     plot.points[1].yHigh = 5.01;
     const std::string svg = scatterSvg(plot);
-    EXPECT_EQ(countOf(svg, "class=\"spread\""), 1u) << "of the time; that of the error is within the mark";
+    EXPECT_EQ(countOf(svg, "stroke=\"#8a8a8a\""), 1u) << "of the time; that of the error is within the mark";
     // 64 + 546 (0.1 + log10 of 5 and 20) / 2.2
-    EXPECT_NE(svg.find("class=\"spread\" x1=\"262.3\" y1=\"190.0\" x2=\"411.7\" y2=\"190.0\""), std::string::npos)
+    EXPECT_NE(svg.find("stroke=\"#8a8a8a\" stroke-width=\"1.2\" x1=\"262.3\" y1=\"190.0\" x2=\"411.7\" y2=\"190.0\""),
+              std::string::npos)
         << svg;
 }
 
@@ -70,6 +71,14 @@ TEST(Scatter, LabelsGiveWayToEachOther) {
     EXPECT_LE(labels, 8u) << "no more than there are places";
     EXPECT_EQ(countOf(svg, ">middling</text>"), 1u) << "what is on the front comes first";
     EXPECT_EQ(countOf(svg, "one of many: "), 40u) << "every point has its title";
+}
+
+TEST(Scatter, ZeroIsShownAndWhereAllIsZeroOneUnit) {
+    ScatterPlot plot = threePoints();
+    plot.points = {pointAt(1, 0, "a", true), pointAt(2, 0, "b", false)};
+    EXPECT_NE(scatterSvg(plot).find("translate(88.8 350.0)"), std::string::npos) << "5 % above the lower end";
+    plot.points = {pointAt(1, 40, "a", true)};
+    EXPECT_NE(scatterSvg(plot).find(">0</text>"), std::string::npos);
 }
 
 TEST(Scatter, NoPointsIsAPlotAllTheSame) {
