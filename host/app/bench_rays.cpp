@@ -13,7 +13,7 @@ void makeSecondaryRays(RaySets& sets, const Session& session, uint32_t size) {
 }
 
 SetFigures measureSet(Run& run, Session& session, const DeviceTree& tree, const RaySet& set, TraceMode mode,
-                      const std::string& name, uint64_t judged, std::vector<Hit>* hits) {
+                      const std::string& name, uint32_t runs, uint64_t judged, std::vector<Hit>* hits) {
     SetFigures figures;
     figures.rays = set.rays.size();
     figures.hitsHash = hitsHash({}, set.query);
@@ -22,7 +22,7 @@ SetFigures measureSet(Run& run, Session& session, const DeviceTree& tree, const 
     Tracer& tracer = run.device.tracer();
     Tracer::Result traced = tracer.trace(tree, set.rays, mode);
     run.progress.phase("timing " + name + " rays");
-    figures.runs = tracer.time(tree, set.rays, mode, run.options.runs);
+    figures.runs = tracer.time(tree, set.rays, mode, runs);
     figures.ms = medianOf(figures.runs);
     figures.invalidRays = traced.invalidRays;
     figures.cappedRays = traced.cappedRays;

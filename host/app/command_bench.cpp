@@ -21,8 +21,9 @@ BuilderFigures benchBuilder(Run& run, Session& session, Builder builder, RaySets
             ModeFigures mode{traversal, test, {}};
             const bool first = sets[0].hits.empty();
             for (size_t i = 0; i < sets.size(); ++i) {
-                mode.sets[i] = measureSet(run, session, tree, sets[i], {sets[i].query, traversal, test, false},
-                                          kRaySets[i], raysToJudge(run.options), first ? &sets[i].hits : nullptr);
+                mode.sets[i] =
+                    measureSet(run, session, tree, sets[i], {sets[i].query, traversal, test, false}, kRaySets[i],
+                               run.options.runs, raysToJudge(run.options), first ? &sets[i].hits : nullptr);
                 if (i == 0 && first) makeSecondaryRays(sets, session);
             }
             figures.modes.push_back(mode);

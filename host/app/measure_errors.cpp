@@ -14,7 +14,7 @@ constexpr uint32_t kQuickRaySetSize = 512;
 // Rays of a set that are judged where errors are counted; elsewhere as many as in a benchmark.
 constexpr uint64_t kJudged = 65536, kQuickJudged = 8192;
 
-// `exact` is first: the others are measured against it, and its answers start the secondary rays.
+// `exact` is first: the others are measured against it, and its answers start the secondary rays. `gpu` is the second.
 constexpr std::array<Builder, 8> kBuilders{{Builder::exact,
                                             Builder::gpu,
                                             {"hunt-all"},
@@ -65,6 +65,16 @@ Spread sumOf(const std::array<SetFigures, kRaySets.size()>& sets) {
     return spreadOf(sums);
 }
 
+using AllSets = std::array<SetFigures, kRaySets.size()>;
+
+// What traces the sets of rays, and how long that takes.
+struct Tracing {
+    std::shared_ptr<DeviceTree> tree;
+    Traversal traversal = Traversal::stack;
+    TriangleTest test = TriangleTest::watertight;
+    AllSets figures;
+};
+
 class Measurement {
   public:
     Measurement(Run& run, Session& session, const std::string& name) : run_(run), session_(session) {
@@ -74,7 +84,13 @@ class Measurement {
     }
 
     SceneErrors all() {
-        for (const Builder builder : kBuilders) measureDefaults(builder);
+        std::vector<Tracing> byTree;
+        for (const Builder builder : kBuilders) byTree.push_back(firstTurn(builder));
+        secondTurn(byTree);
+        for (size_t i = 0; i < byTree.size(); ++i) addRays(kBuilders[i], byTree[i].figures, byTree[0].figures);
+        const std::shared_ptr<DeviceTree> ofGpu = byTree[1].tree;
+        byTree.clear();
+        addHits(ofGpu);
         if (!run_.options.quick)
             for (const Variant& v : variants(run_.options.settings))
                 addTree(session_.buildTimed(v.builder, run_.options.runs, v.settings), v.name);
@@ -90,16 +106,47 @@ class Measurement {
     SceneErrors errors_;
     RaySets sets_;
     std::optional<double> exactCost_;
-    double exactTrace_ = 0.0;
+    std::vector<Spread> builds_;  // by builder, at the defaults
 
-    void measureDefaults(Builder builder) {
+    // Runs are split into two turns, the second in the opposite order: what changes as time goes by, as clocks and
+    // other work of the machine do, then disturbs all about alike.
+    uint32_t runsOfFirstTurn() const { return (run_.options.runs + 1) / 2; }
+
+    Tracing firstTurn(Builder builder) {
         BuiltTree built = session_.buildTimed(builder, run_.options.runs);
         if (builder == Builder::exact) exactCost_ = built.statistics.sahCost;
         addTree(built, "defaults");
-        const DeviceTree& tree = session_.upload(built);
-        addRays(built, tree);
+        builds_.push_back(spreadOf(built.runs));
+        session_.upload(built);
+        Tracing tracing{built.onDevice, run_.traversal(), TriangleTest::watertight, {}};
+        trace(tracing, raysToJudge(run_.options));
         if (builder == Builder::exact && run_.options.peers) errors_.peers = benchPeers(run_, session_, built, sets_);
-        if (builder == Builder::gpu) addHits(tree);
+        return tracing;
+    }
+
+    void secondTurn(std::vector<Tracing>& all) {
+        const uint32_t runs = run_.options.runs - runsOfFirstTurn();
+        if (runs == 0) return;
+        for (size_t n = all.size(); n-- > 0;)
+            for (size_t i = 0; i < sets_.size(); ++i) {
+                if (sets_[i].rays.empty()) continue;
+                run_.progress.phase(std::string("timing ") + kRaySets[i] + " rays");
+                const TraceMode mode{sets_[i].query, all[n].traversal, all[n].test, false};
+                std::vector<double>& times = all[n].figures[i].runs;
+                const std::vector<double> more = run_.device.tracer().time(*all[n].tree, sets_[i].rays, mode, runs);
+                times.insert(times.end(), more.begin(), more.end());
+            }
+    }
+
+    // The first to be traced gives the answers that secondary rays start from.
+    void trace(Tracing& tracing, uint64_t judged) {
+        const bool first = sets_[0].hits.empty();
+        for (size_t i = 0; i < sets_.size(); ++i) {
+            const TraceMode mode{sets_[i].query, tracing.traversal, tracing.test, false};
+            tracing.figures[i] = measureSet(run_, session_, *tracing.tree, sets_[i], mode, kRaySets[i],
+                                            runsOfFirstTurn(), judged, first ? &sets_[i].hits : nullptr);
+            if (i == 0 && first) makeSecondaryRays(sets_, session_, raySetSize(run_.options));
+        }
     }
 
     ErrorRow row(Builder builder, const std::string& settings) const {
@@ -122,54 +169,48 @@ class Measurement {
         errors_.tree.push_back(made);
     }
 
-    std::array<SetFigures, kRaySets.size()> trace(const DeviceTree& tree, Traversal traversal, TriangleTest test,
-                                                  uint64_t judged) {
-        const bool first = sets_[0].hits.empty();
-        std::array<SetFigures, kRaySets.size()> figures;
-        for (size_t i = 0; i < sets_.size(); ++i) {
-            figures[i] = measureSet(run_, session_, tree, sets_[i], {sets_[i].query, traversal, test, false},
-                                    kRaySets[i], judged, first ? &sets_[i].hits : nullptr);
-            if (i == 0 && first) makeSecondaryRays(sets_, session_, raySetSize(run_.options));
-        }
-        return figures;
-    }
-
-    void addRays(const BuiltTree& built, const DeviceTree& tree) {
-        const auto figures = trace(tree, run_.traversal(), TriangleTest::watertight, raysToJudge(run_.options));
-        RayTimes times{nameOf(built.builder), spreadOf(built.runs), {}, sumOf(figures)};
+    void addRays(Builder builder, const AllSets& figures, const AllSets& ofExact) {
+        RayTimes times{nameOf(builder), builds_[errors_.rays.size()], {}, sumOf(figures)};
         for (size_t i = 0; i < figures.size(); ++i)
             if (!figures[i].runs.empty()) times.sets[i] = spreadOf(figures[i].runs);
-        if (built.builder == Builder::exact) exactTrace_ = times.all.median;
-        ErrorRow made = row(built.builder, "defaults");
-        made.error = percentAbove(times.all.median, exactTrace_);
-        made.errorLow = percentAbove(times.all.low, exactTrace_);
-        made.errorHigh = percentAbove(times.all.high, exactTrace_);
+        const double base = sumOf(ofExact).median;
+        ErrorRow made = row(builder, "defaults");
+        made.error = percentAbove(times.all.median, base);
+        made.errorLow = percentAbove(times.all.low, base);
+        made.errorHigh = percentAbove(times.all.high, base);
         made.time = times.build;
         errors_.rays.push_back(made);
         errors_.rayTimes.push_back(times);
     }
 
-    void addHits(const DeviceTree& tree) {
+    void addHits(const std::shared_ptr<DeviceTree>& tree) {
         const uint64_t judged = run_.options.check > 0 ? run_.options.check
                                 : run_.options.quick   ? kQuickJudged
                                                        : kJudged;
+        std::vector<Tracing> ways;
         for (const auto& [traversalName, traversal] : kTraversals)
             for (const auto& [testName, test] : kTriangleTests) {
-                const auto figures = trace(tree, traversal, test, judged);
-                JudgedRays rays;
-                for (const SetFigures& set : figures) {
-                    rays.judged += set.check.rays;
-                    rays.wrong += set.check.mismatches;
-                    rays.undecided += set.check.undecided;
-                    rays.traced += set.rays;
-                }
-                ErrorRow made = row(Builder::gpu, std::string(traversalName) + ", " + testName);
-                made.error = 1e6 * static_cast<double>(rays.wrong) / static_cast<double>(rays.judged);
-                made.errorLow = made.errorHigh = made.error;
-                made.time = sumOf(figures);
-                errors_.hits.push_back(made);
-                errors_.judged.push_back(rays);
+                ways.push_back({tree, traversal, test, {}});
+                trace(ways.back(), judged);
             }
+        secondTurn(ways);
+        for (const Tracing& way : ways) addHitRow(way);
+    }
+
+    void addHitRow(const Tracing& way) {
+        JudgedRays rays;
+        for (const SetFigures& set : way.figures) {
+            rays.judged += set.check.rays;
+            rays.wrong += set.check.mismatches;
+            rays.undecided += set.check.undecided;
+            rays.traced += set.rays;
+        }
+        ErrorRow made = row(Builder::gpu, nameOf(way.traversal) + ", " + nameOf(way.test));
+        made.error = 1e6 * static_cast<double>(rays.wrong) / static_cast<double>(rays.judged);
+        made.errorLow = made.errorHigh = made.error;
+        made.time = sumOf(way.figures);
+        errors_.hits.push_back(made);
+        errors_.judged.push_back(rays);
     }
 };
 

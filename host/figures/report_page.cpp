@@ -165,17 +165,22 @@ std::string raySection(const SceneErrors& scene, const ReportPage& page) {
                   "of the tracing times over exact\u2019s median.");
     html += plotOf(scene.rays, scene.name + ": tracing time above that through exact's tree against build time",
                    "build time, ms", "tracing time above exact's, %", builderOf, builderOf);
-    std::vector<Row> rows{{"builder", "error, %", "low\u2013high", "build ms", "low\u2013high", "primary ms",
-                           "diffuse ms", "shadow ms", "runs", "front"}};
+    std::vector<Row> rows{{"builder", "error, %", "low\u2013high", "build ms", "low\u2013high", "runs", "front"}};
+    std::vector<Row> sets{{"builder"}};
+    for (const char* name : kRaySets) sets[0].insert(sets[0].end(), {std::string(name) + " ms", "low\u2013high"});
+    sets[0].push_back("runs");
     for (size_t i = 0; i < scene.rays.size(); ++i) {
         const ErrorRow& row = scene.rays[i];
         rows.push_back({row.builder, errorText(row.error), errorText(row.errorLow) + " to " + errorText(row.errorHigh),
-                        median(row.time), rangeOf(row.time)});
+                        median(row.time), rangeOf(row.time), std::to_string(row.time.runs),
+                        row.pareto ? "\u25CF" : ""});
+        sets.push_back({row.builder});
         for (const Spread& set : scene.rayTimes[i].sets)
-            rows.back().push_back(set.runs == 0 ? "-" : median(set) + " (" + rangeOf(set) + ")");
-        rows.back().insert(rows.back().end(), {std::to_string(row.time.runs), row.pareto ? "\u25CF" : ""});
+            sets.back().insert(sets.back().end(), {median(set), set.runs == 0 ? "-" : rangeOf(set)});
+        sets.back().push_back(std::to_string(scene.rayTimes[i].all.runs));
     }
-    return html + table("Rays through the trees of " + scene.name, rows, "lrrrrrrrrl") + imageTable(scene);
+    return html + table("Rays through the trees of " + scene.name, rows, "lrrrrrl") +
+           table("The same by the set of rays: tracing times", sets, "lrrrrrrr") + imageTable(scene);
 }
 
 std::string hitSection(const SceneErrors& scene) {
@@ -255,8 +260,9 @@ std::string reportHtml(const ReportPage& page) {
         "<title>cleave: error against run time</title>\n<style>" +
         std::string(kStyle) + "</style>\n</head>\n<body>\n<h1>Error against run time</h1>\n";
     html += paragraph(
-        "What more time buys: how far each tree, and each answer to a ray, is from the best builder\u2019s or the "
-        "exact one, against what it took. Below and to the left is better. A point is on the Pareto front, "
+        "What more time buys: how far each tree is from that of the builder <code>exact</code>, and each answer "
+        "to a ray from the right one, against what it took. Below and to the left is better. A point is on the Pareto "
+        "front, "
         "filled and joined by the dashed line, if none of the same scene is at most as large in both and "
         "smaller in one. Times are medians; their spread, lowest to highest of the runs, is beside each.");
     html += table("How it was measured",
@@ -265,7 +271,8 @@ std::string reportHtml(const ReportPage& page) {
                    {"driver", page.driver},
                    {"program", "cleave " + page.version},
                    {"command line", page.commandLine},
-                   {"runs", std::to_string(page.runs) + " of each, after a warm-up on the device"},
+                   {"runs", std::to_string(page.runs) +
+                                " of each, on the device after a warm-up; rays in two turns, there and back"},
                    {"threads of CPU builders", std::to_string(page.threads)},
                    {"primary rays", page.interior ? "from inside, for rooms" : "from outside, the benchmark's camera"}},
                   "ll");

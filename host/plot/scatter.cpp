@@ -20,7 +20,7 @@ constexpr std::array kShapes{"M-5 0A5 5 0 1 0 5 0A5 5 0 1 0-5 0Z",  // circle
                              "M0-6L6 0L0 6L-6 0Z",                  // diamond
                              "M0 6L5.5-4H-5.5Z"};                   // triangle on its tip
 constexpr double kMark = 6.0;                                       // half of its size
-constexpr double kCharacter = 6.0;                                  // width of one in a label, about
+constexpr double kCharacter = 6.2;                                  // width of one in a label, about
 constexpr double kLabelHeight = 11.0;
 constexpr double kLeastTickDistance = 16.0;
 
@@ -39,6 +39,8 @@ constexpr const char* kZero = "stroke=\"#9a9a9a\"";
 constexpr const char* kAxis = "stroke=\"#1a1a1a\"";
 constexpr const char* kSpread = "stroke=\"#8a8a8a\" stroke-width=\"1.2\"";
 constexpr const char* kFront = "fill=\"none\" stroke=\"#555\" stroke-width=\"1.4\" stroke-dasharray=\"5 3\"";
+
+constexpr const char* kHalo = " stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\"";
 
 std::string line(double x1, double y1, double x2, double y2, const char* look) {
     return "<line " + std::string(look) + " x1=\"" + number(x1) + "\" y1=\"" + number(y1) + "\" x2=\"" + number(x2) +
@@ -117,13 +119,19 @@ class Drawing {
         return out;
     }
 
-    std::string staircase() const {
+    // By x.
+    std::vector<const PlotPoint*> frontPoints() const {
         std::vector<const PlotPoint*> front;
         for (const PlotPoint& p : plot_.points)
             if (p.onFront) front.push_back(&p);
-        if (front.empty()) return "";
         std::stable_sort(front.begin(), front.end(),
                          [](const PlotPoint* a, const PlotPoint* b) { return a->x < b->x; });
+        return front;
+    }
+
+    std::string staircase() const {
+        const std::vector<const PlotPoint*> front = frontPoints();
+        if (front.empty()) return "";
         std::string path = "M" + number(x(front.front()->x)) + " " + number(kPlotTop);
         for (const PlotPoint* p : front) path += "H" + number(x(p->x)) + "V" + number(y(p->y));
         return "<path " + std::string(kFront) + " d=\"" + path + "H" + number(kPlotRight) + "\"/>\n";
@@ -160,17 +168,38 @@ class Drawing {
         return all;
     }
 
-    // Places are tried in turn; points on the front choose first.
+    // The lines that a label had better not cross: the staircase and the spreads.
+    std::vector<Rectangle> lines() const {
+        std::vector<Rectangle> all;
+        double top = kPlotTop;
+        const std::vector<const PlotPoint*> front = frontPoints();
+        for (size_t i = 0; i < front.size(); ++i) {
+            const double right = i + 1 < front.size() ? x(front[i + 1]->x) : kPlotRight;
+            const double here = x(front[i]->x), bottom = y(front[i]->y);
+            all.push_back({here - 1.0, top, here + 1.0, bottom});
+            all.push_back({here, bottom - 1.0, right, bottom + 1.0});
+            top = bottom;
+        }
+        for (const PlotPoint& p : plot_.points) {
+            all.push_back({x(p.xLow), y(p.y) - 1.0, x(p.xHigh), y(p.y) + 1.0});
+            all.push_back({x(p.x) - 1.0, y(p.yHigh), x(p.x) + 1.0, y(p.yLow)});
+        }
+        return all;
+    }
+
+    // Places are tried in turn, first those that no line crosses; points on the front choose first.
     std::string labels() const {
         std::vector<Rectangle> occupied = taken();
+        const std::vector<Rectangle> crossing = lines();
         std::string out;
         for (const bool front : {true, false})
             for (const PlotPoint& p : plot_.points)
-                if (p.onFront == front && !p.label.empty()) out += placed(p, occupied);
+                if (p.onFront == front && !p.label.empty()) out += placed(p, occupied, crossing);
         return out;
     }
 
-    std::string placed(const PlotPoint& p, std::vector<Rectangle>& occupied) const {
+    std::string placed(const PlotPoint& p, std::vector<Rectangle>& occupied,
+                       const std::vector<Rectangle>& crossing) const {
         struct Place {
             double dx, dy;  // of the label's anchor, from the point to the text's middle line
             const char* anchor;
@@ -184,17 +213,21 @@ class Drawing {
                                                 {-7, -11, "end"},
                                                 {-7, 11, "end"}}};
         const double width = kCharacter * static_cast<double>(p.label.size());
-        for (const Place& place : kPlaces) {
-            const double at = x(p.x) + place.dx, middle = y(p.y) + place.dy;
-            const double left = place.anchor[0] == 's' ? at : place.anchor[0] == 'e' ? at - width : at - 0.5 * width;
-            const Rectangle box{left, middle - 0.5 * kLabelHeight, left + width, middle + 0.5 * kLabelHeight};
-            const bool inside =
-                box.left >= kPlotLeft && box.right <= kPlotRight && box.top >= kPlotTop && box.bottom <= kPlotBottom;
-            const auto hides = [&](const Rectangle& other) { return box.overlaps(other); };
-            if (!inside || std::any_of(occupied.begin(), occupied.end(), hides)) continue;
-            occupied.push_back(box);
-            return text(at, middle + 4.0, place.anchor, p.label);
-        }
+        for (const bool strict : {true, false})
+            for (const Place& place : kPlaces) {
+                const double at = x(p.x) + place.dx, middle = y(p.y) + place.dy;
+                const double left = place.anchor[0] == 's'   ? at
+                                    : place.anchor[0] == 'e' ? at - width
+                                                             : at - 0.5 * width;
+                const Rectangle box{left, middle - 0.5 * kLabelHeight, left + width, middle + 0.5 * kLabelHeight};
+                const bool inside = box.left >= kPlotLeft && box.right <= kPlotRight && box.top >= kPlotTop &&
+                                    box.bottom <= kPlotBottom;
+                const auto meets = [&](const Rectangle& other) { return box.overlaps(other); };
+                if (!inside || std::any_of(occupied.begin(), occupied.end(), meets)) continue;
+                if (strict && std::any_of(crossing.begin(), crossing.end(), meets)) continue;
+                occupied.push_back(box);
+                return text(at, middle + 4.0, place.anchor, p.label, kHalo);
+            }
         return "";
     }
 
