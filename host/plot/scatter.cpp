@@ -40,8 +40,6 @@ constexpr const char* kAxis = "stroke=\"#1a1a1a\"";
 constexpr const char* kSpread = "stroke=\"#8a8a8a\" stroke-width=\"1.2\"";
 constexpr const char* kFront = "fill=\"none\" stroke=\"#555\" stroke-width=\"1.4\" stroke-dasharray=\"5 3\"";
 
-constexpr const char* kHalo = " stroke=\"#fff\" stroke-width=\"3\" paint-order=\"stroke\"";
-
 std::string line(double x1, double y1, double x2, double y2, const char* look) {
     return "<line " + std::string(look) + " x1=\"" + number(x1) + "\" y1=\"" + number(y1) + "\" x2=\"" + number(x2) +
            "\" y2=\"" + number(y2) + "\"/>\n";
@@ -226,7 +224,9 @@ class Drawing {
                 if (!inside || std::any_of(occupied.begin(), occupied.end(), meets)) continue;
                 if (strict && std::any_of(crossing.begin(), crossing.end(), meets)) continue;
                 occupied.push_back(box);
-                return text(at, middle + 4.0, place.anchor, p.label, kHalo);
+                return "<rect fill=\"#fff\" fill-opacity=\"0.8\" x=\"" + number(box.left) + "\" y=\"" +
+                       number(box.top) + "\" width=\"" + number(width) + "\" height=\"" + number(kLabelHeight) +
+                       "\"/>\n" + text(at, middle + 4.0, place.anchor, p.label);
             }
         return "";
     }
