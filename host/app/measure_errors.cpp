@@ -92,8 +92,7 @@ class Measurement {
         byTree.clear();
         addHits(ofGpu);
         if (!run_.options.quick)
-            for (const Variant& v : variants(run_.options.settings))
-                addTree(session_.buildTimed(v.builder, run_.options.runs, v.settings), v.name);
+            for (const Variant& v : variants(run_.options.settings)) addTree(buildTimed(v.builder, v.settings), v.name);
         markPareto(errors_.tree);
         markPareto(errors_.rays);
         markPareto(errors_.hits);
@@ -112,8 +111,18 @@ class Measurement {
     // other work of the machine do, then disturbs all about alike.
     uint32_t runsOfFirstTurn() const { return (run_.options.runs + 1) / 2; }
 
+    // The first build on the CPU starts threads and touches memory for all that follow: it is not counted, as on the
+    // device nothing is before the warm-up.
+    BuiltTree buildTimed(Builder builder, const BuildSettings& settings) {
+        if (builder == Builder::gpu) return session_.buildTimed(builder, run_.options.runs, settings);
+        BuiltTree built = session_.buildTimed(builder, run_.options.runs + 1, settings);
+        built.runs.erase(built.runs.begin());
+        built.ms = medianOf(built.runs);
+        return built;
+    }
+
     Tracing firstTurn(Builder builder) {
-        BuiltTree built = session_.buildTimed(builder, run_.options.runs);
+        BuiltTree built = buildTimed(builder, run_.options.settings);
         if (builder == Builder::exact) exactCost_ = built.statistics.sahCost;
         addTree(built, "defaults");
         builds_.push_back(spreadOf(built.runs));

@@ -271,8 +271,7 @@ std::string reportHtml(const ReportPage& page) {
                    {"driver", page.driver},
                    {"program", "cleave " + page.version},
                    {"command line", page.commandLine},
-                   {"runs", std::to_string(page.runs) +
-                                " of each, on the device after a warm-up; rays in two turns, there and back"},
+                   {"runs", std::to_string(page.runs) + " of each, after a warm-up; rays in two turns, there and back"},
                    {"threads of CPU builders", std::to_string(page.threads)},
                    {"primary rays", page.interior ? "from inside, for rooms" : "from outside, the benchmark's camera"}},
                   "ll");
