@@ -1,19 +1,10 @@
-// The rays of a benchmark, and other ray tracers on the same.
+// Other ray tracers on the rays of a benchmark.
 #pragma once
 
-#include <array>
-
-#include "app/session.h"
+#include "app/bench_rays.h"
 #include "figures/peer_figures.h"
 
 namespace cleave {
-
-struct RaySet {
-    std::vector<Ray> rays;
-    Query query = Query::closest;
-    std::vector<Hit> hits;  // our answers, by the first builder in the first mode
-};
-using RaySets = std::array<RaySet, kRaySets.size()>;
 
 // Measures every peer that is here, after comparing its answers with ours; what is not here is said. `built` has the
 // tree that the stack walk goes through.

@@ -7,47 +7,10 @@
 #include "figures/bench_figures.h"
 #include "figures/timing.h"
 #include "formats/write_file.h"
-#include "scene/camera.h"
 #include "scene/ray_sets.h"
 
 namespace cleave {
 namespace {
-
-// Secondary rays start from primary hits, so the first builder's answers are needed; all builders then get these rays.
-void makeSecondaryRays(RaySets& sets, const Session& session) {
-    const Box bounds = session.worldBounds();
-    const std::vector<SurfacePoint> points =
-        surfacePoints(session.posed().triangles, bounds, sets[0].rays, sets[0].hits);
-    sets[1] = {diffuseRays(points), Query::closest, {}};
-    sets[2] = {shadowRays(points, bounds), Query::any, {}};
-}
-
-// Times, and proves a sample right. The plain triangle test is not right: how often it is wrong is a figure.
-SetFigures measure(Run& run, Session& session, const DeviceTree& tree, const RaySet& set, TraceMode mode,
-                   const std::string& name, std::vector<Hit>* hits) {
-    SetFigures figures;
-    figures.rays = set.rays.size();
-    figures.hitsHash = hitsHash({}, set.query);
-    if (set.rays.empty()) return figures;
-    run.progress.phase("tracing " + name + " rays");
-    Tracer& tracer = run.device.tracer();
-    Tracer::Result traced = tracer.trace(tree, set.rays, mode);
-    run.progress.phase("timing " + name + " rays");
-    figures.runs = tracer.time(tree, set.rays, mode, run.options.runs);
-    figures.ms = medianOf(figures.runs);
-    figures.invalidRays = traced.invalidRays;
-    figures.cappedRays = traced.cappedRays;
-    figures.hitsHash = hitsHash(traced.hits, set.query);
-    figures.check = session.check(set.rays, traced.hits, set.query, raysToJudge(run.options));
-    if (mode.test != TriangleTest::plain)
-        requireAnswered(traced.cappedRays, figures.check, session.scene().name + ", " + name + " rays");
-    TraceMode counting = mode;
-    counting.countSteps = true;
-    if (run.options.work || run.options.triangleTests.size() > 1)
-        figures.work = workOf(tracer.trace(tree, set.rays, counting).steps, run.device.device().subgroupSize());
-    if (hits != nullptr) *hits = std::move(traced.hits);
-    return figures;
-}
 
 BuilderFigures benchBuilder(Run& run, Session& session, Builder builder, RaySets& sets) {
     BuilderFigures figures;
@@ -58,8 +21,9 @@ BuilderFigures benchBuilder(Run& run, Session& session, Builder builder, RaySets
             ModeFigures mode{traversal, test, {}};
             const bool first = sets[0].hits.empty();
             for (size_t i = 0; i < sets.size(); ++i) {
-                mode.sets[i] = measure(run, session, tree, sets[i], {sets[i].query, traversal, test, false},
-                                       kRaySets[i], first ? &sets[i].hits : nullptr);
+                mode.sets[i] =
+                    measureSet(run, session, tree, sets[i], {sets[i].query, traversal, test, false}, kRaySets[i],
+                               run.options.runs, raysToJudge(run.options), first ? &sets[i].hits : nullptr);
                 if (i == 0 && first) makeSecondaryRays(sets, session);
             }
             figures.modes.push_back(mode);

@@ -10,6 +10,7 @@ void runTrace(Run& run);
 void runInfo(Run& run);
 void runBench(Run& run);
 void runSurvey(Run& run);  // bench --survey
+void runReport(Run& run);
 void runStability(Run& run);
 void runLeaks(Run& run);  // of stability --leaks
 void runDevices(Run& run);

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -18,10 +19,11 @@
 namespace cleave {
 namespace {
 
-constexpr std::array<std::pair<const char*, Command>, 6> kCommands = {{{"render", Command::render},
+constexpr std::array<std::pair<const char*, Command>, 7> kCommands = {{{"render", Command::render},
                                                                        {"trace", Command::trace},
                                                                        {"info", Command::info},
                                                                        {"bench", Command::bench},
+                                                                       {"report", Command::report},
                                                                        {"stability", Command::stability},
                                                                        {"devices", Command::devices}}};
 constexpr std::array<std::pair<const char*, View>, 5> kViews = {{{"shaded", View::shaded},
@@ -148,12 +150,16 @@ void addOutput(CLI::App& app, Options& options) {
     app.set_version_flag("--version", "cleave " CLEAVE_VERSION, "print the version and end");
 }
 
+void addMachine(CLI::App& app, Options& options) {
+    app.add_option("--device", options.device, "Vulkan device, by index or a part of its name (see: cleave devices)")
+        ->type_name("NAME|INDEX");
+    addWhole(app, "--threads", "threads of CPU work (2)", options.settings.threads, 1, 1024);
+}
+
 void addBuild(CLI::App& app, Options& options, bool several) {
     BuildSettings& settings = options.settings;
     addBuilders(app, options, several);
-    app.add_option("--device", options.device, "Vulkan device, by index or a part of its name (see: cleave devices)")
-        ->type_name("NAME|INDEX");
-    addWhole(app, "--threads", "threads of CPU work (2)", settings.threads, 1, 1024);
+    addMachine(app, options);
     addParsed<uint64_t>(
         app, "--memory", "SIZE", "bytes that a build may use, for example 512M or 2G", parseBytes,
         [&settings](uint64_t bytes) { settings.memory = bytes; }, "a size, for example 512M or 2G");
@@ -252,6 +258,19 @@ void addBench(CLI::App& app, Options& options) {
     addOutput(app, options);
 }
 
+void addReport(CLI::App& app, Options& options) {
+    app.add_option("SCENE", options.scenes, ".gltf or .glb, one or more")->type_name("FILE")->required();
+    app.add_option("-o,--output", options.output, "the folder of index.html and report.json (report)")
+        ->type_name("FOLDER");
+    app.add_flag("--quick", options.quick, "builders at their defaults only, fewer rays and 2 runs");
+    app.add_flag("--peers", options.peers, "other ray tracers, too, on the same rays");
+    addWhole(app, "--runs", "median of so many runs (5; quick: 2)", options.runs, 1, 10000);
+    addWhole(app, "--check", "judge so many rays of each kind by the reference", options.check, 1, uint64_t{1} << 32);
+    app.add_flag("--interior", options.interior, "primary rays from inside, for rooms");
+    addMachine(app, options);
+    addOutput(app, options);
+}
+
 void addCases(CLI::App& app, Options& options) {
     const auto read = [&options](const std::string& given) {
         options.cases = CLI::detail::split(given, ',');
@@ -294,6 +313,7 @@ std::unique_ptr<CLI::App> makeApp(Options& options) {
     addTrace(*app->add_subcommand("trace", "answer the rays of a file"), options);
     addInfo(*app->add_subcommand("info", "describe a scene and its tree"), options);
     addBench(*app->add_subcommand("bench", "time builds and rays, after checking them"), options);
+    addReport(*app->add_subcommand("report", "error against run time, as one page"), options);
     addStability(
         *app->add_subcommand("stability", "look for wrong answers: stiff cases, all builders, all kinds of rays"),
         options);
@@ -315,11 +335,37 @@ Command commandOf(const std::string& name) {
     throw UsageError("'" + name + "' is no command; there are: " + namesIn(kCommands));
 }
 
+const char* defaultOutput(Command command) {
+    if (command == Command::trace) return "hits.npy";
+    return command == Command::report ? "report" : "out.png";
+}
+
 void complete(Options& options) {
-    if (options.output.empty()) options.output = options.command == Command::trace ? "hits.npy" : "out.png";
+    if (options.output.empty()) options.output = defaultOutput(options.command);
+    for (size_t i = 0; options.command == Command::report && i < options.scenes.size(); ++i)
+        for (size_t j = 0; j < i; ++j)
+            if (options.scenes[i].lexically_normal() == options.scenes[j].lexically_normal())
+                throw UsageError("SCENE: '" + options.scenes[i].string() + "' is given twice");
     const bool writes = options.command == Command::render || options.command == Command::trace;
     if (writes && options.json && options.json->lexically_normal() == options.output.lexically_normal())
         throw UsageError("--json and -o name the same file");
+}
+
+constexpr uint32_t kQuickRuns = 2;
+
+// To be typed again in a shell; the program by its name.
+std::string lineOf(int argc, const char* const* argv) {
+    std::string line = "cleave";
+    for (const std::string_view word : std::span(argv + 1, static_cast<size_t>(argc - 1))) {
+        const bool plain = !word.empty() && word.find_first_not_of(
+                                                "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
+                                                "0123456789-_=+,./:@%") == std::string_view::npos;
+        line += plain ? " " + std::string(word) : " '";
+        if (plain) continue;
+        for (const char c : word) line += c == '\'' ? "'\\''" : std::string(1, c);
+        line += "'";
+    }
+    return line;
 }
 
 }  // namespace
@@ -349,6 +395,9 @@ Request parseCommandLine(int argc, const char* const* argv) {
     }
     if (options.command == Command::stability && app->get_subcommand("stability")->count("--builder") == 0)
         options.builders.clear();
+    if (options.command == Command::report && options.quick && app->get_subcommand("report")->count("--runs") == 0)
+        options.runs = kQuickRuns;
+    options.line = lineOf(argc, argv);
     complete(options);
     return options;
 }

@@ -17,13 +17,14 @@
 
 namespace cleave {
 
-enum class Command { render, trace, info, bench, stability, devices };
+enum class Command { render, trace, info, bench, report, stability, devices };
 
 struct Options {
     Command command = Command::devices;
+    std::string line;                           // as it was typed, for figures to say where they come from
     std::vector<std::filesystem::path> scenes;  // render: may be empty, for the default scene; bench: several
     std::filesystem::path rays;
-    std::filesystem::path output;  // out.png or hits.npy
+    std::filesystem::path output;  // out.png, hits.npy or the folder of a report
     std::optional<std::filesystem::path> json;
     bool quiet = false;
 
@@ -47,7 +48,7 @@ struct Options {
     uint32_t runs = 5;
     bool interior = false;
     bool work = false;    // bench: what rays do on their way, too
-    bool peers = false;   // bench: other ray tracers too, on the same rays
+    bool peers = false;   // bench, report: other ray tracers too, on the same rays
     bool survey = false;  // bench: the survey's builders and tables instead of `builders`
 
     bool quick = false;

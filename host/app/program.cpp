@@ -32,6 +32,8 @@ void runCommand(const Options& options) {
             return runInfo(run);
         case Command::bench:
             return runBench(run);
+        case Command::report:
+            return runReport(run);
         case Command::stability:
             return runStability(run);
         case Command::devices:

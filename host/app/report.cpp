@@ -18,16 +18,23 @@ Json sceneJson(const Session& session) {
             {"cameras", session.posed().cameras.size()}};
 }
 
-void writeReport(const Run& run, Json report) {
-    if (!run.options.json) return;
+Json completed(const Run& run, Json report) {
     const std::optional<std::string> name = run.device.name();
     report["device"] = {{"name", name ? Json(*name) : Json(nullptr)}};
     const TransferCount transfers = run.device.transfers();
     report["transfer"] = {{"upBytes", transfers.upBytes}, {"downBytes", transfers.downBytes}};
     report["process"] = {{"peakBytes", processPeakBytes()}};
     report["total"] = {{"ms", numberJson(run.total.milliseconds())}};
+    return report;
+}
+
+void writeJson(const std::filesystem::path& file, const Json& report) {
     // Names come from files and may be no UTF-8; what is not is replaced.
-    writeFile(*run.options.json, report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    writeFile(file, report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+void writeReport(const Run& run, Json report) {
+    if (run.options.json) writeJson(*run.options.json, completed(run, std::move(report)));
 }
 
 }  // namespace cleave

@@ -8,7 +8,12 @@ namespace cleave {
 
 Json sceneJson(const Session& session);
 
-// Adds device and total, and writes the file of --json where one is asked for.
+// The report with what all of them tell: the device, transfers, memory and the time of the whole run.
+Json completed(const Run& run, Json report);
+// To a file, whole or not at all.
+void writeJson(const std::filesystem::path& file, const Json& report);
+
+// Completes the report and writes the file of --json where one is asked for.
 void writeReport(const Run& run, Json report);
 
 }  // namespace cleave

@@ -51,9 +51,9 @@ const DeviceMaterials& Session::materialsOnDevice() {
     return *materials_;
 }
 
-void Session::buildOnDevice(BuiltTree& built) {
+void Session::buildOnDevice(BuiltTree& built, const BuildSettings& settings) {
     built.onDevice.reset();  // a second run must not need memory for two trees
-    GpuBuilder::Result result = run_.device.builder().build(trianglesOnDevice(), run_.options.settings);
+    GpuBuilder::Result result = run_.device.builder().build(trianglesOnDevice(), settings);
     built.onDevice = std::move(result.tree);
     built.runs.push_back(result.ms);
     built.peakBytes = result.peakBytes;
@@ -73,36 +73,35 @@ BuiltTree Session::prepared(Builder builder) {
     return built;
 }
 
-void Session::buildOnce(BuiltTree& built) {
+void Session::buildOnce(BuiltTree& built, const BuildSettings& settings) {
     if (built.builder == Builder::gpu)
-        buildOnDevice(built);
+        buildOnDevice(built, settings);
     else
-        buildOnHost(built, set_, run_.options.settings);
+        buildOnHost(built, set_, settings);
 }
 
-void Session::finish(BuiltTree& built) {
+void Session::finish(BuiltTree& built, const BuildSettings& settings) {
     if (built.onDevice) built.tree = readBack(*built.onDevice);
     built.ms = medianOf(built.runs);
-    built.statistics = computeStatistics(built.tree, run_.options.settings.costs);
+    built.statistics = computeStatistics(built.tree, settings.costs);
     built.hash = treeHash(built.tree);
     run_.progress.clear();
 }
 
 BuiltTree Session::build(Builder builder) {
     BuiltTree built = prepared(builder);
-    buildOnce(built);
-    finish(built);
+    buildOnce(built, run_.options.settings);
+    finish(built, run_.options.settings);
     return built;
 }
 
-BuiltTree Session::buildTimed(Builder builder, uint32_t runs) {
+BuiltTree Session::buildTimed(Builder builder, uint32_t runs, const BuildSettings& settings) {
     BuiltTree built = prepared(builder);
-    if (builder == Builder::gpu) warmUp([&] { buildOnce(built); });
+    if (builder == Builder::gpu) warmUp([&] { buildOnce(built, settings); });
     built.runs.clear();
-    for (uint32_t i = 0; i < runs; ++i) buildOnce(built);
-    if (builder == Builder::gpu)
-        built.profile = run_.device.builder().profile(trianglesOnDevice(), run_.options.settings);
-    finish(built);
+    for (uint32_t i = 0; i < runs; ++i) buildOnce(built, settings);
+    if (builder == Builder::gpu) built.profile = run_.device.builder().profile(trianglesOnDevice(), settings);
+    finish(built, settings);
     return built;
 }
 

@@ -29,7 +29,8 @@ class Session {
 
     BuiltTree build(Builder builder);
     // Builds the same tree `runs` times; on the device after a warm-up, and once more to see where the time goes.
-    BuiltTree buildTimed(Builder builder, uint32_t runs);
+    BuiltTree buildTimed(Builder builder, uint32_t runs) { return buildTimed(builder, runs, run_.options.settings); }
+    BuiltTree buildTimed(Builder builder, uint32_t runs, const BuildSettings& settings);
     // The tree on the device, which opens it.
     const DeviceTree& upload(BuiltTree& built);
     // What pictures need beside the tree.
@@ -41,9 +42,9 @@ class Session {
 
   private:
     BuiltTree prepared(Builder builder);
-    void buildOnDevice(BuiltTree& built);
-    void buildOnce(BuiltTree& built);
-    void finish(BuiltTree& built);
+    void buildOnDevice(BuiltTree& built, const BuildSettings& settings);
+    void buildOnce(BuiltTree& built, const BuildSettings& settings);
+    void finish(BuiltTree& built, const BuildSettings& settings);
 
     Run& run_;
     Scene scene_;

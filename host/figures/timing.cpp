@@ -12,6 +12,11 @@ double medianOf(std::vector<double> values) {
     return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
+Spread spreadOf(const std::vector<double>& runs) {
+    const auto [low, high] = std::minmax_element(runs.begin(), runs.end());
+    return {medianOf(runs), *low, *high, static_cast<uint32_t>(runs.size())};
+}
+
 std::optional<double> mraysPerSecond(uint64_t rays, double ms) {
     if (!(ms > 0.0) || rays == 0) return std::nullopt;
     return static_cast<double>(rays) / (1000.0 * ms);

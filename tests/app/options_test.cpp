@@ -136,8 +136,8 @@ TEST(Options, HelpAndVersion) {
 }
 
 TEST(Options, WrongUseNamesWhatThereIs) {
-    for (const auto& wrong : std::vector<std::vector<const char*>>{{}, {"rendr"}, {"report", "a.glb"}})
-        expectRefused(wrong, "render, trace, info, bench, stability, devices");
+    for (const auto& wrong : std::vector<std::vector<const char*>>{{}, {"rendr"}, {"reports", "a.glb"}})
+        expectRefused(wrong, "render, trace, info, bench, report, stability, devices");
     expectRefused({"render", "--builder", "nope"}, "gpu, twin, exact");
     expectRefused({"render", "--builder", "havran"}, "gpu, twin, exact");
     expectRefused({"render", "--builder", "gpu,exact"}, "gpu, twin, exact");
@@ -147,6 +147,24 @@ TEST(Options, WrongUseNamesWhatThereIs) {
     expectRefused({"trace", "a.glb", "b.npy", "--traversal", "ropes"}, "restart");
     expectRefused({"render", "--view", "fog"}, "shaded, normals, depth, steps, leaves");
     expectRefused({"render", "--clip", "maybe"}, "on, off");
+}
+
+TEST(Options, Report) {
+    const Options plain = parse({"report", "a.glb", "b c.glb"});
+    EXPECT_EQ(plain.command, Command::report);
+    EXPECT_EQ(plain.scenes.size(), 2u);
+    EXPECT_EQ(plain.output, "report");
+    EXPECT_EQ(plain.runs, 5u);
+    EXPECT_EQ(plain.line, "cleave report a.glb 'b c.glb'") << "to be typed again";
+    const Options quick = parse({"report", "it's.glb", "-o", "out", "--quick", "--peers"});
+    EXPECT_EQ(quick.output, "out");
+    EXPECT_EQ(quick.runs, 2u);
+    EXPECT_TRUE(quick.peers);
+    EXPECT_EQ(quick.line, R"(cleave report 'it'\''s.glb' -o out --quick --peers)");
+    EXPECT_EQ(parse({"report", "a.glb", "--quick", "--runs", "7"}).runs, 7u);
+    EXPECT_EQ(parse({"bench", "a.glb"}).runs, 5u);
+    expectRefused({"report"}, "SCENE");
+    expectRefused({"report", "a.glb", "./a.glb"}, "given twice");
 }
 
 TEST(Options, WaysOfRays) {

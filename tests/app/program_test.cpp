@@ -310,6 +310,89 @@ TEST_F(Program, BenchOfTheSurveyMeasuresEveryBuilder) {
     }
 }
 
+// Every row against the definition, by the rows of the file alone.
+void expectFronts(const Json& rows) {
+    for (const Json& row : rows) {
+        bool beaten = false;
+        for (const Json& other : rows) {
+            if (other["scene"] != row["scene"]) continue;
+            const double error = row["error"], ms = row["ms"], otherError = other["error"], otherMs = other["ms"];
+            beaten |= otherError <= error && otherMs <= ms && (otherError < error || otherMs < ms);
+        }
+        EXPECT_EQ(row["pareto"], !beaten) << row;
+    }
+}
+
+TEST_F(Program, ReportWritesAPageAndItsFigures) {
+    const std::vector<std::string> asked{"report", scene_, "-o", at("r"), "--quick", "--check", "64"};
+    const Outcome outcome = runCleave(asked);
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outputs(), std::vector<std::string>{"r"});
+    const Json report = reportOf("r/report.json");
+    const Json& errors = report["errors"];
+    ASSERT_EQ(errors["tree"].size(), 8u) << "builders at their defaults";
+    ASSERT_EQ(errors["rays"].size(), 8u);
+    ASSERT_EQ(errors["hits"].size(), 9u) << "three traversals, three triangle tests";
+    for (const char* kind : {"tree", "rays", "hits"}) {
+        for (const Json& row : errors[kind]) {
+            for (const char* key : {"scene", "builder", "settings"}) EXPECT_TRUE(row[key].is_string()) << kind << key;
+            for (const char* key : {"error", "ms", "msLow", "msHigh"}) EXPECT_TRUE(row[key].is_number()) << kind << key;
+            EXPECT_TRUE(row["pareto"].is_boolean());
+            EXPECT_EQ(row["scene"], "scene.gltf");
+            EXPECT_EQ(row["runs"], 2);
+            EXPECT_LE(row["msLow"], row["ms"]);
+            EXPECT_GE(row["msHigh"], row["ms"]);
+        }
+        expectFronts(errors[kind]);
+    }
+    EXPECT_EQ(errors["tree"][0]["builder"], "exact");
+    EXPECT_EQ(errors["tree"][0]["error"], 0.0);
+    EXPECT_EQ(errors["rays"][0]["error"], 0.0);
+    for (const Json& row : errors["hits"]) EXPECT_EQ(row["error"], 0.0) << "one triangle has no edge to slip through";
+    EXPECT_TRUE(report["device"]["name"].is_string());
+    EXPECT_GT(report["total"]["ms"], 0.0);
+
+    const std::string page = contentOf(folder_ / "r/index.html");
+    EXPECT_EQ(page.find("<script"), std::string::npos);
+    EXPECT_TRUE(page.ends_with("</html>\n"));
+    for (const std::string& part : {std::string("scene.gltf"), "cleave report " + scene_, std::string("--quick")})
+        EXPECT_NE(page.find(part), std::string::npos) << part;
+
+    put(folder_ / "r/index.html", std::string(1 << 20, 'x'));
+    ASSERT_EQ(runCleave(asked).status, 0);
+    const std::string second = contentOf(folder_ / "r/index.html");
+    EXPECT_TRUE(second.starts_with("<!DOCTYPE html>"));
+    EXPECT_EQ(second.find("xxx"), std::string::npos) << "nothing of what was there remains";
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "r"), {}), 2) << "nothing else is there";
+}
+
+TEST_F(Program, ReportGoesOnAfterASceneThatFails) {
+    put(folder_ / "bad.gltf", "{ no <scene>");
+    const Outcome outcome =
+        runCleave({"report", at("bad.gltf"), scene_, "-o", at("r"), "--quick", "--runs", "1", "--check", "64"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.errorLines(), 1u) << outcome.err;
+    EXPECT_NE(outcome.err.find("1 of 2 scenes"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("bad.gltf"), std::string::npos) << outcome.err;
+    const Json errors = reportOf("r/report.json")["errors"];
+    EXPECT_EQ(errors["tree"].size(), 8u);
+    EXPECT_EQ(errors["tree"][0]["scene"], "scene.gltf");
+    EXPECT_EQ(errors["tree"][0]["runs"], 1);
+    const std::string page = contentOf(folder_ / "r/index.html");
+    EXPECT_NE(page.find("No figures"), std::string::npos);
+    EXPECT_NE(page.find("bad.gltf"), std::string::npos);
+}
+
+TEST_F(Program, ReportIsRefusedBeforeAnyWork) {
+    expectFailure({"report", scene_, "-o", at("no/such")}, 1, "cannot make the folder");
+    expectFailure({"report", scene_, "-o", scene_}, 1, "it is a file");
+    expectFailure({"report", scene_, "-o", "/proc/report"}, 1, "cannot make the folder");
+    expectFailure({"report", at("none.glb"), "-o", at("r")}, 1, "none.glb");
+    expectFailure({"report", at("none.glb"), at("nor.glb"), "-o", at("r"), "--quiet"}, 1, "2 of 2 scenes");
+    expectFailure({"report", scene_, scene_}, 2, "given twice");
+    expectFailure({"report", scene_, "--quick", "--builder", "gpu"}, 2, "--peers");
+}
+
 TEST_F(Program, DevicesListsThem) {
     const Outcome outcome = runCleave({"devices", "--json", at("d.json")});
     ASSERT_EQ(outcome.status, 0) << outcome.err;

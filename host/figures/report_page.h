@@ -1,0 +1,28 @@
+// The page of `cleave report`: plots and tables of error against run time as one HTML file that loads nothing.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "figures/error_rows.h"
+
+namespace cleave {
+
+struct ReportPage {
+    std::string version, commandLine;
+    std::string device, driver;
+    uint32_t threads = 0;  // of builders on the CPU
+    uint32_t runs = 0;
+    std::string traversal;   // of the rays
+    uint64_t raysOfSet = 0;  // in each set, at most
+    bool interior = false;
+    bool withPeers = false;
+    std::vector<SceneErrors> scenes;
+    std::vector<std::pair<std::string, std::string>> leftOut;  // what, and why
+};
+
+// The same text for the same figures.
+std::string reportHtml(const ReportPage& page);
+
+}  // namespace cleave
