@@ -105,7 +105,7 @@ class Drawing {
             const double at = y(tick.value);
             if (below - at < kLeastTickDistance) continue;
             below = at;
-            out += line(kPlotLeft, at, kPlotRight, at, tick.value == 0.0 ? "zero" : kGrid) +
+            out += line(kPlotLeft, at, kPlotRight, at, tick.value == 0.0 ? kZero : kGrid) +
                    text(kPlotLeft - 7.0, at + 4.0, "end", tick.label);
         }
         out += line(kPlotLeft, kPlotBottom, kPlotRight, kPlotBottom, kAxis) +

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <regex>
+
 namespace cleave::test {
 namespace {
 
@@ -35,6 +37,13 @@ TEST(Scatter, TheFrontIsAStaircase) {
     ScatterPlot plot = threePoints();
     plot.points[1].onFront = false;
     EXPECT_NE(scatterSvg(plot).find("d=\"M88.8 14.0H88.8V30.0H585.2V350.0H610.0\""), std::string::npos);
+}
+
+// Viewers of SVG refuse what HTML forgives: every attribute has a quoted value.
+TEST(Scatter, IsWellFormed) {
+    const std::regex tag("</?[a-z]+( [A-Za-z][A-Za-z0-9-]*=\"[^\"<>]*\")*/?>");
+    const std::string rest = std::regex_replace(scatterSvg(threePoints()), tag, "");
+    EXPECT_EQ(rest.find_first_of("<>"), std::string::npos) << rest;
 }
 
 TEST(Scatter, IsTheSameTextEveryTime) { EXPECT_EQ(scatterSvg(threePoints()), scatterSvg(threePoints())); }
