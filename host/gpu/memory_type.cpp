@@ -38,8 +38,7 @@ MemoryType memoryTypeFor(const VkPhysicalDeviceMemoryProperties& memory, uint32_
         bestRank = rank;
     }
     if (bestRank < 0)
-        throw Error(
-            "the device offers no memory of its own for a buffer; use another one, see `cleave devices`");
+        throw Error("the device offers no memory of its own for a buffer; use another one, see `cleave devices`");
     return best;
 }
 
