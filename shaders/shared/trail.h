@@ -46,8 +46,8 @@ CLEAVE_FN Trail withBit(Trail t, uint depth) {
 // A word whose bits 0 to depth - 1 are set; depth is at most 32.
 CLEAVE_FN uint bitsBelow(uint depth) { return depth >= 32u ? 0xFFFFFFFFu : (1u << depth) - 1u; }
 
-// The depth of the deepest 0 on a path that ended at `depth`. There must be one, that is, a far child that is still to be
-// visited.
+// The depth of the deepest 0 on a path that ended at `depth`. There must be one, that is, a far child that is still to
+// be visited.
 CLEAVE_FN uint deepestOpen(Trail t, uint depth) {
     uint openLower = depth > 32u ? ~t.lower & bitsBelow(depth - 32u) : 0u;
     if (openLower != 0u) return 32u + highestBit(openLower);
