@@ -29,7 +29,7 @@ CLEAVE_CONST uint kMaxDepth = 63u;
 // Bins per axis of min-max binning (Shevtsov et al. 2007, section 4.1).
 CLEAVE_CONST uint kBins = 32u;
 
-// A node of at most this many references is split by exact SAH, in one workgroup, instead of by binning. The survey
+// A node of at most this many references is split by exact SAH instead of by binning. The survey
 // says 32, the number of bins; but on scans, whose vertices lie on a grid, only exact SAH finds the planes that cut no
 // triangle (docs/decisions.md).
 CLEAVE_CONST uint kExactUpTo = 160u;
