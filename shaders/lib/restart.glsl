@@ -12,6 +12,29 @@ bool staysAsItIs(Best best, int tExponent) {
     return best.index == kNone || timesPowerOfTwo(best.tLow, tExponent) >= kSmallestNormal;
 }
 
+// A step at a plane that a trail decides. Walks that resume each other's trails must take it alike.
+struct TrailStep {
+    Trail trail;    // with a bit set where the ray meets one child only
+    bool farWaits;  // the far child is left for later
+    Visit next;
+    Visit far;
+};
+
+TrailStep trailStepAt(KdNode node, PlaneStep s, Visit at, Trail trail, uint depth) {
+    bool both = s.goNear && s.goFar;
+    bool takeFar = both ? trailBit(trail, depth) : !s.goNear;
+    TrailStep t;
+    t.trail = both ? trail : withBit(trail, depth);
+    t.farWaits = both && !takeFar;
+    t.far.node = nodeChild(node) + 1u - s.near;
+    t.far.tMin = max(at.tMin, s.tLow);
+    t.far.tMax = at.tMax;
+    t.next.node = takeFar ? t.far.node : nodeChild(node) + s.near;
+    t.next.tMin = takeFar ? t.far.tMin : at.tMin;
+    t.next.tMax = takeFar ? at.tMax : min(at.tMax, s.tHigh);
+    return t;
+}
+
 // Looks for a hit that is closer than `best`; t is in scaled units. Returns false if the ray is given up, which happens
 // after a leaf once more inner nodes and triangles than `stepLimit` have been seen. It can then be resumed with the
 // trail and the best hit that are returned, and the answer is that of an uninterrupted traversal:
@@ -41,13 +64,10 @@ bool traverseRestart(TreeParts tree, ScaledRay ray, bool anyHit, uint stepLimit,
             seen++;
             if (CLEAVE_COUNT_STEPS) steps.inner++;
             PlaneStep s = stepAt(node, walk, at.tMin, at.tMax);
-            bool both = s.goNear && s.goFar;
-            bool takeFar = both ? trailBit(trail, depth) : !s.goNear;
-            trail = both ? trail : withBit(trail, depth);
-            pending = both && !takeFar ? min(pending, s.tLow) : pending;
-            at.tMin = takeFar ? max(at.tMin, s.tLow) : at.tMin;
-            at.tMax = takeFar ? at.tMax : min(at.tMax, s.tHigh);
-            at.node = nodeChild(node) + (takeFar ? 1u - s.near : s.near);
+            TrailStep t = trailStepAt(node, s, at, trail, depth);
+            trail = t.trail;
+            pending = t.farWaits ? min(pending, s.tLow) : pending;
+            at = t.next;
             depth++;
             bool pushesDown = pending == infinity();  // nothing above is left to visit
             start.node = pushesDown ? at.node : start.node;

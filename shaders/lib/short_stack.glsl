@@ -31,20 +31,14 @@ bool traverseShortStack(TreeParts tree, ScaledRay ray, bool anyHit, uint stepLim
             seen++;
             if (CLEAVE_COUNT_STEPS) steps.inner++;
             PlaneStep s = stepAt(node, walk, at.tMin, at.tMax);
-            bool both = s.goNear && s.goFar;
-            bool takeFar = both ? trailBit(trail, depth) : !s.goNear;
-            bool farWaits = both && !takeFar;
-            float farBegin = max(at.tMin, s.tLow);
-            uint far = nodeChild(node) + 1u - s.near;
-            trail = both ? trail : withBit(trail, depth);
-            forgotten = farWaits && count == kShortStack ? min(forgotten, begins.w) : forgotten;
-            nodes = farWaits ? uvec4(far, nodes.xyz) : nodes;
-            begins = farWaits ? vec4(farBegin, begins.xyz) : begins;
-            ends = farWaits ? vec4(at.tMax, ends.xyz) : ends;
-            count = farWaits ? min(count + 1u, kShortStack) : count;
-            at.tMin = takeFar ? farBegin : at.tMin;
-            at.tMax = takeFar ? at.tMax : min(at.tMax, s.tHigh);
-            at.node = takeFar ? far : nodeChild(node) + s.near;
+            TrailStep t = trailStepAt(node, s, at, trail, depth);
+            trail = t.trail;
+            forgotten = t.farWaits && count == kShortStack ? min(forgotten, begins.w) : forgotten;
+            nodes = t.farWaits ? uvec4(t.far.node, nodes.xyz) : nodes;
+            begins = t.farWaits ? vec4(t.far.tMin, begins.xyz) : begins;
+            ends = t.farWaits ? vec4(t.far.tMax, ends.xyz) : ends;
+            count = t.farWaits ? min(count + 1u, kShortStack) : count;
+            at = t.next;
             depth++;
             bool pushesDown = count == 0u && forgotten == infinity();  // nothing above is left to visit
             start.node = pushesDown ? at.node : start.node;
