@@ -16,15 +16,14 @@ void sumUp(uint chunk, uint list) {
     }
 }
 
-// With the plane at which bin b begins.
-Split withBoundary(Split best, BuildNode node, BinRange range, uint axis, uint b) {
+// With the plane at which bin b begins; bins count every `step`-th reference.
+Split withBoundary(Split best, BuildNode node, BinRange range, uint axis, uint b, uint step) {
     if (b == 0u) {
         // The ends of the range cut off empty space; what lies flat in them stays with the rest.
         best = betterOf(best, args.costs, node.cell, axis, range.lo, 0u, node.count, 0u);
         return betterOf(best, args.costs, node.cell, axis, range.hi, node.count, 0u, 1u);
     }
     if (!isResolved(range)) return best;
-    uint step = sampleStep(node.count, args.subsample != 0u);
     uint left = sums[2u * axis * kBins + b - 1u];
     uint right = ceilDiv(node.count, step) - sums[(2u * axis + 1u) * kBins + b - 1u];
     return betterOf(best, args.costs, node.cell, axis, binPlane(range, b), estimatedCount(left, step, node.count),
@@ -41,10 +40,11 @@ void main() {
     uint i = gl_LocalInvocationID.x;
     if (i < 6u) sumUp(c, i);
     barrier();
+    uint step = sampleStep(node.count, args.subsample != 0u);
     Split best = noSplit();
     for (uint axis = 0u; axis < 3u; axis++) {
         BinRange range = rangeOf(c, axis);
-        for (uint b = i; b < range.count; b += gl_WorkGroupSize.x) best = withBoundary(best, node, range, axis, b);
+        for (uint b = i; b < range.count; b += gl_WorkGroupSize.x) best = withBoundary(best, node, range, axis, b, step);
     }
     bests[i] = best;
     for (uint others = gl_WorkGroupSize.x / 2u; others > 0u; others /= 2u) {
