@@ -242,7 +242,8 @@ void addInfo(CLI::App& app, Options& options) {
 
 void addBench(CLI::App& app, Options& options) {
     app.add_option("SCENE", options.scenes, ".gltf or .glb, one or more")->type_name("FILE")->required();
-    addWhole(app, "--runs", "median of so many runs (5); on a device after a warm-up of 0.1 s", options.runs, 1, 10000);
+    addWhole(app, "--runs", "median of so many runs (5); on a device after a warm-up of 0.15 s", options.runs, 1,
+             10000);
     app.add_flag("--interior", options.interior, "primary rays from inside, for rooms");
     addBuild(app, options, true);
     addTraversal(app, options, true);

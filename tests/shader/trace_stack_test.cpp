@@ -8,16 +8,7 @@
 
 namespace cleave::test {
 
-TEST(TraceStack, EqualsBruteForceOverEveryTree) {
-    for (uint32_t n : {0u, 1u, 33u, 500u}) {
-        SCOPED_TRACE("triangles and seed " + std::to_string(n));
-        const TriangleSet set = mixedSet(n, n);
-        const std::vector<Ray> rays = mixedRays(2000, n);
-        expectAnswers(set, buildExact(set, BuildSettings{}), rays, Traversal::stack);
-        expectAnswers(set, buildSpatialMedian(set, BuildSettings{}), rays, Traversal::stack);
-        if (HasFatalFailure()) return;
-    }
-}
+TEST(TraceStack, EqualsBruteForceOverEveryTree) { expectAnswersOverTrees(Traversal::stack); }
 
 TEST(TraceStack, HoldsAChildOfEveryDepth) {
     const DeepChain chain = deepChain();

@@ -5,8 +5,10 @@
 #include <cstring>
 #include <random>
 
+#include "builders/builders.h"
 #include "judge/oracle.h"
 #include "support/device.h"
+#include "support/scenes.h"
 
 namespace cleave::test {
 
@@ -69,6 +71,17 @@ void expectAnswers(const TriangleSet& set, const KdTree& tree, const std::vector
             << closest.hits[i].prim;
         ASSERT_EQ(std::memcmp(&brute, &counted.hits[i], sizeof(Hit)), 0) << "counted ray " << i;
         ASSERT_EQ(brute.prim == kNone, any.hits[i].prim == kNone) << "any hit of ray " << i;
+    }
+}
+
+void expectAnswersOverTrees(Traversal traversal) {
+    for (uint32_t n : {0u, 1u, 33u, 500u}) {
+        SCOPED_TRACE("triangles and seed " + std::to_string(n));
+        const TriangleSet set = mixedSet(n, n);
+        const std::vector<Ray> rays = mixedRays(2000, n);
+        expectAnswers(set, buildExact(set, BuildSettings{}), rays, traversal);
+        expectAnswers(set, buildSpatialMedian(set, BuildSettings{}), rays, traversal);
+        if (testing::Test::HasFatalFailure()) return;
     }
 }
 

@@ -17,6 +17,9 @@ std::vector<Ray> mixedRays(uint32_t n, uint32_t seed);
 // queries agree on whether there is one; no ray is given up.
 void expectAnswers(const TriangleSet& set, const KdTree& tree, const std::vector<Ray>& rays, Traversal traversal);
 
+// The same over sets of no triangle to 500, with trees by exact and by spatial-median.
+void expectAnswersOverTrees(Traversal traversal);
+
 // A chain of planes down to the deepest leaf that a tree may have. Each cell on the way holds a triangle, so that a
 // cell that is passed over shows; a ray along the chain leaves a child behind at every plane.
 struct DeepChain {
