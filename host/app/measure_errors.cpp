@@ -1,11 +1,17 @@
 #include "app/measure_errors.h"
 
 #include <algorithm>
+#include <cstring>
+#include <new>
 
 #include "app/bench_peers.h"
 #include "app/bench_rays.h"
 #include "app/session.h"
+#include "app/tree_portrait.h"
 #include "base/error.h"
+#include "base/hash.h"
+#include "base/text.h"
+#include "figures/timing.h"
 
 namespace cleave {
 namespace {
@@ -23,203 +29,399 @@ constexpr std::array<Builder, 8> kBuilders{{Builder::exact,
                                             {"shevtsov"},
                                             {"object-median"},
                                             {"spatial-median"}}};
+constexpr size_t kOfExact = 0, kOfGpu = 1;
 
-struct Variant {
+// A builder with settings, and what is known of its tree.
+struct Subject {
     Builder builder;
-    std::string name;
-    BuildSettings settings;
+    std::string settings;
+    BuildSettings build;
+    bool isTraced = false;
+    std::optional<size_t> tree, traced;  // its figures; nothing: it failed
+
+    std::string name() const { return nameOf(builder) + ", " + settings; }
 };
 
 template <class Change>
-Variant variant(Builder builder, const std::string& name, BuildSettings settings, Change change) {
+Subject variant(Builder builder, const std::string& name, BuildSettings settings, Change change) {
     change(settings);
-    return {builder, name, settings};
+    return {builder, name, settings, false, {}, {}};
+}
+
+Subject withCost(Builder builder, float intersect, const BuildSettings& defaults) {
+    return variant(builder, "costs 15 : " + fixed(intersect, 0), defaults,
+                   [intersect](BuildSettings& s) { s.costs.intersect = intersect; });
 }
 
 // What trades error for time in the builders that have something to set, one at a time.
-std::vector<Variant> variants(const BuildSettings& defaults) {
-    std::vector<Variant> all;
+std::vector<Subject> variants(const BuildSettings& defaults) {
+    std::vector<Subject> all;
     for (const Builder builder : {Builder::gpu, Builder{"shevtsov"}}) {
         for (const uint32_t bins : {8u, 16u})
             all.push_back(variant(builder, "bins " + std::to_string(bins), defaults,
                                   [bins](BuildSettings& s) { s.bins = bins; }));
         all.push_back(variant(builder, "subsample off", defaults, [](BuildSettings& s) { s.subsample = false; }));
-        all.push_back(variant(builder, "clip off", defaults, [](BuildSettings& s) { s.clip = false; }));
     }
-    all.push_back(variant(Builder::gpu, "exact-up-to 32", defaults, [](BuildSettings& s) { s.exactUpTo = 32; }));
-    for (const Builder builder : {Builder{"object-median"}, Builder{"spatial-median"}})
+    for (const uint32_t size : {0u, 32u, 256u})
+        all.push_back(variant(Builder::gpu, "exact-up-to " + std::to_string(size), defaults,
+                              [size](BuildSettings& s) { s.exactUpTo = size; }));
+    for (const Builder builder :
+         {Builder::exact, Builder::gpu, Builder{"hunt-all"}, Builder{"hunt-one"}, Builder{"shevtsov"}})
+        all.push_back(variant(builder, "clip off", defaults, [](BuildSettings& s) { s.clip = false; }));
+    for (const float cost : {5.0f, 10.0f, 40.0f}) all.push_back(withCost(Builder::gpu, cost, defaults));
+    for (const Builder builder : {Builder{"object-median"}, Builder{"spatial-median"}}) {
         for (const uint32_t size : {2u, 8u, 16u})
             all.push_back(variant(builder, "leaf-size " + std::to_string(size), defaults,
                                   [size](BuildSettings& s) { s.leafSize = size; }));
+        all.push_back(variant(builder, "axes widest", defaults, [](BuildSettings& s) { s.axes = AxisChoice::widest; }));
+        all.push_back(variant(builder, "axes all", defaults, [](BuildSettings& s) { s.axes = AxisChoice::all; }));
+    }
     return all;
 }
 
-double percentAbove(double value, double base) { return 100.0 * (value / base - 1.0); }
-
-Spread sumOf(const std::array<SetFigures, kRaySets.size()>& sets) {
-    std::vector<double> sums;
-    for (const SetFigures& set : sets) {
-        sums.resize(std::max(sums.size(), set.runs.size()));
-        for (size_t i = 0; i < set.runs.size(); ++i) sums[i] += set.runs[i];
+std::vector<Subject> subjectsOf(const Options& options) {
+    std::vector<Subject> all;
+    for (const Builder builder : kBuilders) all.push_back({builder, kDefaultSettings, options.settings, true, {}, {}});
+    // Traced as well, for the fit of costs to have trees of more nodes and of more tests.
+    for (const float cost : options.quick ? std::vector{5.0f, 80.0f} : std::vector{2.0f, 5.0f, 10.0f, 40.0f, 80.0f}) {
+        all.push_back(withCost(Builder::exact, cost, options.settings));
+        all.back().isTraced = true;
     }
-    return spreadOf(sums);
+    if (!options.quick)
+        for (Subject& subject : variants(options.settings)) all.push_back(std::move(subject));
+    return all;
 }
 
-using AllSets = std::array<SetFigures, kRaySets.size()>;
+TreeErrors errorsOf(const Subject& subject, const BuiltTree& built, SahCosts costs) {
+    const TreeStatistics s = computeStatistics(built.tree, costs);
+    TreeErrors figures;
+    figures.builder = nameOf(subject.builder);
+    figures.settings = subject.settings;
+    figures.runs = built.runs;
+    figures.hasCost = s.sahCost.has_value();
+    figures.sahCost = s.sahCost.value_or(0.0);
+    figures.expected = {s.expectedInner.value_or(0.0), s.expectedLeaves.value_or(0.0),
+                        s.expectedTriangles.value_or(0.0)};
+    figures.nodes = s.nodes;
+    figures.references = s.references;
+    figures.leafHistogram = s.leafHistogram;
+    figures.depthHistogram = s.depthHistogram;
+    return figures;
+}
 
-// What traces the sets of rays, and how long that takes.
-struct Tracing {
-    std::shared_ptr<DeviceTree> tree;
-    Traversal traversal = Traversal::stack;
-    TriangleTest test = TriangleTest::watertight;
-    AllSets figures;
-};
+constexpr const char* kAllRays = "all";
+
+// The rays of a set, or all, through a tree.
+std::optional<WorkSample> sampleOf(const TracedErrors& traced, std::optional<size_t> set) {
+    WorkSample sample;
+    double rays = 0.0;
+    for (size_t k = 0; k < kRaySets.size(); ++k) {
+        if (traced.sets[k].runs.empty() || (set && *set != k)) continue;
+        const auto of = static_cast<double>(traced.sets[k].rays);
+        sample.inner += of * traced.counts[k].inner;
+        sample.triangles += of * traced.counts[k].triangles;
+        sample.nanoseconds += 1e6 * medianOf(traced.sets[k].runs);
+        rays += of;
+    }
+    if (rays == 0.0) return std::nullopt;
+    for (double* sum : {&sample.inner, &sample.triangles, &sample.nanoseconds}) *sum /= rays;
+    return sample;
+}
+
+// Medians know no costs, and their trees are unlike those that a fit is for.
+bool isFitted(const TreeErrors& tree) { return tree.builder.find("median") == std::string::npos; }
+
+std::vector<NamedFit> fitsOf(const SceneErrors& errors) {
+    std::vector<NamedFit> fits;
+    for (size_t k = 0; k <= kRaySets.size(); ++k) {
+        const bool all = k == kRaySets.size();
+        std::vector<WorkSample> samples;
+        for (const TracedErrors& traced : errors.traced)
+            if (const auto sample = sampleOf(traced, all ? std::nullopt : std::optional(k));
+                sample && isFitted(errors.trees[traced.tree]))
+                samples.push_back(*sample);
+        if (const std::optional<FittedCosts> costs = fitCosts(samples))
+            fits.push_back({all ? kAllRays : kRaySets[k], *costs});
+    }
+    return fits;
+}
+
+// Figures of another scene under the same name, or of one that has been edited, are not this one's.
+std::string fingerprintOf(const PosedScene& scene) {
+    Hash hash;
+    for (const Triangle& t : scene.triangles)
+        for (const vec3& v : {t.a, t.b, t.c})
+            for (int axis = 0; axis < 3; ++axis) {
+                uint32_t word = 0;
+                std::memcpy(&word, &v[axis], sizeof word);
+                hash.add(word);
+            }
+    return hash.text();
+}
 
 class Measurement {
   public:
-    Measurement(Run& run, Session& session, const std::string& name) : run_(run), session_(session) {
+    Measurement(Run& run, Session& session, Notebook& notebook, const std::string& name)
+        : run_(run),
+          session_(session),
+          notebook_(notebook),
+          prefix_(fingerprintOf(session.posed()) + " "),
+          subjects_(subjectsOf(run.options)),
+          portrait_(run, session) {
         errors_.name = name;
         errors_.triangles = session.posed().triangles.size();
         sets_[0].rays = primaryRays(session.worldBounds(), run.options.interior, raySetSize(run.options));
     }
 
     SceneErrors all() {
-        std::vector<Tracing> byTree;
-        for (const Builder builder : kBuilders) byTree.push_back(firstTurn(builder));
-        secondTurn(byTree);
-        for (size_t i = 0; i < byTree.size(); ++i) addRays(kBuilders[i], byTree[i].figures, byTree[0].figures);
-        const std::shared_ptr<DeviceTree> ofGpu = byTree[1].tree;
-        byTree.clear();
-        addHits(ofGpu);
-        if (!run_.options.quick)
-            for (const Variant& v : variants(run_.options.settings)) addTree(buildTimed(v.builder, v.settings), v.name);
-        markPareto(errors_.tree);
-        markPareto(errors_.rays);
-        markPareto(errors_.hits);
+        for (size_t i = 0; i < subjects_.size(); ++i) firstTurn(i);
+        addFitted();
+        for (size_t i = subjects_.size(); i-- > 0;) secondTurn(i);
+        addWays();
+        if (run_.options.peers) addPeers();
+        run_.progress.within("");
         return std::move(errors_);
     }
 
   private:
     Run& run_;
     Session& session_;
+    Notebook& notebook_;
+    const std::string prefix_;
+    std::vector<Subject> subjects_;
+    TreePortrait portrait_;
     SceneErrors errors_;
     RaySets sets_;
-    std::optional<double> exactCost_;
-    std::vector<Spread> builds_;  // by builder, at the defaults
+    std::map<size_t, BuiltTree> kept_;  // trees that rays go through, by subject
+    size_t step_ = 0;
+
+    template <class Measure>
+    auto once(const std::string& what, Measure measure) {
+        return notebook_.once(prefix_ + what, measure);
+    }
+
+    void begin(const std::string& what) {
+        const size_t ways = kTraversals.size() * kTriangleTests.size();
+        const size_t steps = 2 * (subjects_.size() + ways) + (run_.options.peers ? 1 : 0);
+        run_.progress.within(oneLine(errors_.name) + ", step " + std::to_string(++step_) + " of " +
+                             std::to_string(steps) + ", " + what);
+    }
 
     // Runs are split into two turns, the second in the opposite order: what changes as time goes by, as clocks and
     // other work of the machine do, then disturbs all about alike.
-    uint32_t runsOfFirstTurn() const { return (run_.options.runs + 1) / 2; }
+    uint32_t runsOfTurn(bool first) const {
+        const uint32_t ofFirst = (run_.options.runs + 1) / 2;
+        return first ? ofFirst : run_.options.runs - ofFirst;
+    }
+
+    // A failure is told in the report, and the others go on; without `exact` there is nothing to measure against.
+    template <class Measure>
+    void tried(size_t i, Measure measure) {
+        try {
+            measure();
+        } catch (const Error& error) {
+            if (i == kOfExact) throw;
+            errors_.leftOut.emplace_back(subjects_[i].name(), error.what());
+        } catch (const std::bad_alloc&) {
+            if (i == kOfExact) throw;
+            errors_.leftOut.emplace_back(subjects_[i].name(), "out of memory");
+        }
+    }
+
+    // The tree of a subject on the device; built without taking its time where that is known from an earlier run.
+    const BuiltTree& treeOf(size_t i) {
+        if (const auto kept = kept_.find(i); kept != kept_.end()) return kept->second;
+        return keep(i, session_.build(subjects_[i].builder, subjects_[i].build));
+    }
+    const BuiltTree& keep(size_t i, BuiltTree built) {
+        session_.upload(built);
+        return kept_.emplace(i, std::move(built)).first->second;
+    }
 
     // The first build on the CPU starts threads and touches memory for all that follow: it is not counted, as on the
     // device nothing is before the warm-up.
-    BuiltTree buildTimed(Builder builder, const BuildSettings& settings) {
-        if (builder == Builder::gpu) return session_.buildTimed(builder, run_.options.runs, settings);
-        BuiltTree built = session_.buildTimed(builder, run_.options.runs + 1, settings);
+    BuiltTree buildTimed(const Subject& subject, uint32_t runs) {
+        if (subject.builder == Builder::gpu) return session_.buildTimed(subject.builder, runs, subject.build);
+        BuiltTree built = session_.buildTimed(subject.builder, runs + 1, subject.build);
         built.runs.erase(built.runs.begin());
-        built.ms = medianOf(built.runs);
         return built;
     }
-
-    Tracing firstTurn(Builder builder) {
-        BuiltTree built = buildTimed(builder, run_.options.settings);
-        if (builder == Builder::exact) exactCost_ = built.statistics.sahCost;
-        addTree(built, "defaults");
-        builds_.push_back(spreadOf(built.runs));
-        session_.upload(built);
-        Tracing tracing{built.onDevice, run_.traversal(), TriangleTest::watertight, {}};
-        trace(tracing, raysToJudge(run_.options));
-        if (builder == Builder::exact && run_.options.peers) errors_.peers = benchPeers(run_, session_, built, sets_);
-        return tracing;
+    std::vector<double> timeBuilds(const Subject& subject, uint32_t runs) {
+        if (subject.builder == Builder::gpu) return session_.timeBuilds(subject.builder, runs, subject.build);
+        std::vector<double> times = session_.timeBuilds(subject.builder, runs + 1, subject.build);
+        times.erase(times.begin());
+        return times;
     }
 
-    void secondTurn(std::vector<Tracing>& all) {
-        const uint32_t runs = run_.options.runs - runsOfFirstTurn();
-        if (runs == 0) return;
-        for (size_t n = all.size(); n-- > 0;)
-            for (size_t i = 0; i < sets_.size(); ++i) {
-                if (sets_[i].rays.empty()) continue;
-                run_.progress.phase(std::string("timing ") + kRaySets[i] + " rays");
-                const TraceMode mode{sets_[i].query, all[n].traversal, all[n].test, false};
-                std::vector<double>& times = all[n].figures[i].runs;
-                const std::vector<double> more = run_.device.tracer().time(*all[n].tree, sets_[i].rays, mode, runs);
-                times.insert(times.end(), more.begin(), more.end());
-            }
+    void firstTurn(size_t i) {
+        begin(subjects_[i].name());
+        tried(i, [&] {
+            Subject& subject = subjects_[i];
+            errors_.trees.push_back(once("tree of " + subject.name(), [&] {
+                BuiltTree built = buildTimed(subject, runsOfTurn(true));
+                TreeErrors figures = errorsOf(subject, built, run_.options.settings.costs);
+                if (subject.isTraced) keep(i, std::move(built));
+                return figures;
+            }));
+            subject.tree = errors_.trees.size() - 1;
+            if (subject.isTraced) trace(i);
+        });
     }
 
-    // The first to be traced gives the answers that secondary rays start from.
-    void trace(Tracing& tracing, uint64_t judged) {
-        const bool first = sets_[0].hits.empty();
-        for (size_t i = 0; i < sets_.size(); ++i) {
-            const TraceMode mode{sets_[i].query, tracing.traversal, tracing.test, false};
-            tracing.figures[i] = measureSet(run_, session_, *tracing.tree, sets_[i], mode, kRaySets[i],
-                                            runsOfFirstTurn(), judged, first ? &sets_[i].hits : nullptr);
-            if (i == 0 && first) makeSecondaryRays(sets_, session_, raySetSize(run_.options));
+    void trace(size_t i) {
+        Subject& subject = subjects_[i];
+        TracedErrors traced;
+        traced.tree = *subject.tree;
+        for (size_t k = 0; k < sets_.size(); ++k) {
+            const std::string what = std::string(kRaySets[k]) + " rays through the tree of " + subject.name();
+            traced.sets[k] = once(what, [&] {
+                const SetErrors figures =
+                    measured(i, k, {setOf(k).query, run_.traversal(), TriangleTest::watertight, false},
+                             raysToJudge(run_.options));
+                if (figures.wrong > 0)
+                    throw Error(grouped(figures.wrong) + " of " + grouped(figures.judged) + " " + kRaySets[k] +
+                                " rays are answered wrongly; please report this scene");
+                return figures;
+            });
+            traced.counts[k] = once("counts of " + what, [&] { return counted(i, k, run_.traversal()); });
+            traced.restartCounts[k] =
+                once("counts by restart of " + what, [&] { return counted(i, k, Traversal::restart); });
+        }
+        traced.lines = once("lines through the tree of " + subject.name(),
+                            [&] { return portrait_.lines(treeOf(i), treeOf(kOfExact)); });
+        if (subject.settings == kDefaultSettings)
+            for (ReportPicture& picture : once("pictures of the tree of " + subject.name(),
+                                               [&] { return portrait_.pictures(treeOf(i), treeOf(kOfExact)); }))
+                errors_.pictures.push_back(std::move(picture));
+        errors_.traced.push_back(traced);
+        subject.traced = errors_.traced.size() - 1;
+    }
+
+    // The rays of a set. Secondary ones start from the hits of the primary ones.
+    const RaySet& setOf(size_t k) {
+        if (k > 0 && sets_[0].hits.empty()) {
+            sets_[0].hits = run_.device.tracer().trace(*treeOf(kOfExact).onDevice, sets_[0].rays).hits;
+            makeSecondaryRays(sets_, session_, raySetSize(run_.options));
+        }
+        return sets_[k];
+    }
+
+    // Judges first, then takes times: those of the first turn.
+    SetErrors measured(size_t i, size_t k, const TraceMode& mode, uint64_t judged) {
+        const RaySet& set = setOf(k);
+        SetErrors figures;
+        figures.rays = set.rays.size();
+        if (set.rays.empty()) return figures;
+        run_.progress.phase(std::string("tracing ") + kRaySets[k] + " rays");
+        Tracer& tracer = run_.device.tracer();
+        const Tracer::Result traced = tracer.trace(*treeOf(i).onDevice, set.rays, mode);
+        if (traced.cappedRays > 0)
+            throw Error(grouped(traced.cappedRays) + " rays were given up at the step cap; please report this scene");
+        const CheckResult check = session_.check(set.rays, traced.hits, set.query, judged);
+        figures.judged = check.rays;
+        figures.wrong = check.mismatches;
+        figures.missed = check.missed;
+        figures.falseHits = check.falseHits;
+        figures.undecided = check.undecided;
+        figures.largestTError = check.maxRelativeTError;
+        figures.runs = timed(i, k, mode, true);
+        return figures;
+    }
+
+    std::vector<double> timed(size_t i, size_t k, const TraceMode& mode, bool firstTurn) {
+        const RaySet& set = setOf(k);
+        const uint32_t runs = runsOfTurn(firstTurn);
+        if (set.rays.empty() || runs == 0) return {};
+        run_.progress.phase(std::string("timing ") + kRaySets[k] + " rays");
+        return run_.device.tracer().time(*treeOf(i).onDevice, set.rays, mode, runs);
+    }
+
+    RayCounts counted(size_t i, size_t k, Traversal traversal) {
+        const RaySet& set = setOf(k);
+        if (set.rays.empty()) return {};
+        const TraceMode mode{set.query, traversal, TriangleTest::watertight, true};
+        const RayWork work = workOf(run_.device.tracer().trace(*treeOf(i).onDevice, set.rays, mode).steps, 1);
+        return {work.inner, work.leaves, work.triangles};
+    }
+
+    static void append(std::vector<double>& runs, const std::vector<double>& more) {
+        runs.insert(runs.end(), more.begin(), more.end());
+    }
+
+    void secondTurn(size_t i) {
+        if (!subjects_[i].tree || runsOfTurn(false) == 0) return;
+        begin(subjects_[i].name() + ", again");
+        tried(i, [&] {
+            const Subject& subject = subjects_[i];
+            append(errors_.trees[*subject.tree].runs, once("second turn of the tree of " + subject.name(),
+                                                           [&] { return timeBuilds(subject, runsOfTurn(false)); }));
+            if (!subject.traced) return;
+            for (size_t k = 0; k < sets_.size(); ++k)
+                append(
+                    errors_.traced[*subject.traced].sets[k].runs,
+                    once("second turn of " + std::string(kRaySets[k]) + " rays through " + subject.name(), [&] {
+                        return timed(i, k, {setOf(k).query, run_.traversal(), TriangleTest::watertight, false}, false);
+                    }));
+        });
+    }
+
+    // What nodes and tests take here, by the times of the first turn; and trees that are built for these costs.
+    void addFitted() {
+        errors_.fits = fitsOf(errors_);
+        const auto all = std::find_if(errors_.fits.begin(), errors_.fits.end(),
+                                      [](const NamedFit& fit) { return fit.rays == kAllRays; });
+        const std::optional<SahCosts> costs = all == errors_.fits.end() ? std::nullopt : sahCostsOf(all->costs);
+        if (!costs) return;
+        for (const Builder builder : {Builder::exact, Builder::gpu}) {
+            Subject subject{builder, "", run_.options.settings, true, {}, {}};
+            subject.build.costs = *costs;
+            subject.settings = "fitted " + fixed(costs->traverse, 0) + " : " + fixed(costs->intersect, 2);
+            subjects_.push_back(subject);
+            firstTurn(subjects_.size() - 1);
         }
     }
 
-    ErrorRow row(Builder builder, const std::string& settings) const {
-        ErrorRow made;
-        made.scene = errors_.name;
-        made.builder = nameOf(builder);
-        made.settings = settings;
-        return made;
-    }
-
-    void addTree(const BuiltTree& built, const std::string& settings) {
-        const std::optional<double> cost = built.statistics.sahCost;
-        if (!cost || !exactCost_ || !(*exactCost_ > 0.0)) {
-            errors_.withoutCost.push_back(nameOf(built.builder));
-            return;
-        }
-        ErrorRow made = row(built.builder, settings);
-        made.error = made.errorLow = made.errorHigh = percentAbove(*cost, *exactCost_);
-        made.time = spreadOf(built.runs);
-        errors_.tree.push_back(made);
-    }
-
-    void addRays(Builder builder, const AllSets& figures, const AllSets& ofExact) {
-        RayTimes times{nameOf(builder), builds_[errors_.rays.size()], {}, sumOf(figures)};
-        for (size_t i = 0; i < figures.size(); ++i)
-            if (!figures[i].runs.empty()) times.sets[i] = spreadOf(figures[i].runs);
-        const double base = sumOf(ofExact).median;
-        ErrorRow made = row(builder, "defaults");
-        made.error = percentAbove(times.all.median, base);
-        made.errorLow = percentAbove(times.all.low, base);
-        made.errorHigh = percentAbove(times.all.high, base);
-        made.time = times.build;
-        errors_.rays.push_back(made);
-        errors_.rayTimes.push_back(times);
-    }
-
-    void addHits(const std::shared_ptr<DeviceTree>& tree) {
+    // All traversals and tests, through the tree of `gpu`, in two turns as well.
+    void addWays() {
+        const size_t through = subjects_[kOfGpu].traced ? kOfGpu : kOfExact;
         const uint64_t judged = run_.options.check > 0 ? run_.options.check
                                 : run_.options.quick   ? kQuickJudged
                                                        : kJudged;
-        std::vector<Tracing> ways;
+        std::vector<std::pair<Traversal, TriangleTest>> ways;
         for (const auto& [traversalName, traversal] : kTraversals)
-            for (const auto& [testName, test] : kTriangleTests) {
-                ways.push_back({tree, traversal, test, {}});
-                trace(ways.back(), judged);
-            }
-        secondTurn(ways);
-        for (const Tracing& way : ways) addHitRow(way);
+            for (const auto& [testName, test] : kTriangleTests) ways.emplace_back(traversal, test);
+        for (const auto& [traversal, test] : ways) {
+            WayErrors way{nameOf(traversal), nameOf(test), {}};
+            begin(way.traversal + ", " + way.test);
+            for (size_t k = 0; k < sets_.size(); ++k)
+                way.sets[k] = once(std::string(kRaySets[k]) + " rays by " + way.traversal + ", " + way.test, [&] {
+                    return measured(through, k, {setOf(k).query, traversal, test, false}, judged);
+                });
+            errors_.ways.push_back(way);
+        }
+        if (runsOfTurn(false) == 0) return;
+        for (size_t n = ways.size(); n-- > 0;) {
+            WayErrors& way = errors_.ways[n];
+            begin(way.traversal + ", " + way.test + ", again");
+            for (size_t k = 0; k < sets_.size(); ++k)
+                append(
+                    way.sets[k].runs,
+                    once("second turn of " + std::string(kRaySets[k]) + " rays by " + way.traversal + ", " + way.test,
+                         [&] {
+                             return timed(through, k, {setOf(k).query, ways[n].first, ways[n].second, false}, false);
+                         }));
+        }
     }
 
-    void addHitRow(const Tracing& way) {
-        JudgedRays rays;
-        for (const SetFigures& set : way.figures) {
-            rays.judged += set.check.rays;
-            rays.wrong += set.check.mismatches;
-            rays.undecided += set.check.undecided;
-            rays.traced += set.rays;
-        }
-        ErrorRow made = row(Builder::gpu, nameOf(way.traversal) + ", " + nameOf(way.test));
-        made.error = 1e6 * static_cast<double>(rays.wrong) / static_cast<double>(rays.judged);
-        made.errorLow = made.errorHigh = made.error;
-        made.time = sumOf(way.figures);
-        errors_.hits.push_back(made);
-        errors_.judged.push_back(rays);
+    void addPeers() {
+        begin("other ray tracers");
+        errors_.peers = once("peers", [&] {
+            for (size_t k = 0; k < sets_.size(); ++k) {
+                const TraceMode mode{setOf(k).query, run_.traversal(), TriangleTest::watertight, false};
+                sets_[k].hits = run_.device.tracer().trace(*treeOf(kOfExact).onDevice, sets_[k].rays, mode).hits;
+            }
+            return benchPeers(run_, session_, treeOf(kOfExact), sets_);
+        });
     }
 };
 
@@ -227,12 +429,12 @@ class Measurement {
 
 uint32_t raySetSize(const Options& options) { return options.quick ? kQuickRaySetSize : kRaySetSize; }
 
-SceneErrors measureErrors(Run& run, const std::filesystem::path& file, const std::string& name) {
+SceneErrors measureErrors(Run& run, Notebook& notebook, const std::filesystem::path& file, const std::string& name) {
     Session session(run, file);
     if (session.set().included.empty())
         throw Error(file.string() +
                     ": no triangle that rays can hit, so there is nothing to measure; name another scene");
-    return Measurement(run, session, name).all();
+    return Measurement(run, session, notebook, name).all();
 }
 
 }  // namespace cleave

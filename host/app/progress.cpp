@@ -16,7 +16,8 @@ Progress::Progress(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO) == 1) {}
 Progress::~Progress() { clear(); }
 
 void Progress::phase(const std::string& what) {
-    if (shown_) std::fprintf(stderr, "%s%s ...", kBackAndErase, what.c_str());
+    if (shown_)
+        std::fprintf(stderr, "%s%s%s%s ...", kBackAndErase, whole_.c_str(), whole_.empty() ? "" : ": ", what.c_str());
 }
 
 void Progress::clear() {

@@ -14,10 +14,13 @@ class Progress {
     Progress& operator=(const Progress&) = delete;
 
     void phase(const std::string& what);
+    // What all phases are part of from now on; empty: nothing.
+    void within(const std::string& whole) { whole_ = whole; }
     void clear();  // before anything else is printed
 
   private:
     bool shown_;
+    std::string whole_;
 };
 
 }  // namespace cleave

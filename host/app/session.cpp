@@ -88,21 +88,32 @@ void Session::finish(BuiltTree& built, const BuildSettings& settings) {
     run_.progress.clear();
 }
 
-BuiltTree Session::build(Builder builder) {
+BuiltTree Session::build(Builder builder, const BuildSettings& settings) {
     BuiltTree built = prepared(builder);
-    buildOnce(built, run_.options.settings);
-    finish(built, run_.options.settings);
+    buildOnce(built, settings);
+    finish(built, settings);
     return built;
+}
+
+void Session::buildRuns(BuiltTree& built, uint32_t runs, const BuildSettings& settings) {
+    if (built.builder == Builder::gpu) warmUp([&] { buildOnce(built, settings); });
+    built.runs.clear();
+    for (uint32_t i = 0; i < runs; ++i) buildOnce(built, settings);
 }
 
 BuiltTree Session::buildTimed(Builder builder, uint32_t runs, const BuildSettings& settings) {
     BuiltTree built = prepared(builder);
-    if (builder == Builder::gpu) warmUp([&] { buildOnce(built, settings); });
-    built.runs.clear();
-    for (uint32_t i = 0; i < runs; ++i) buildOnce(built, settings);
+    buildRuns(built, runs, settings);
     if (builder == Builder::gpu) built.profile = run_.device.builder().profile(trianglesOnDevice(), settings);
     finish(built, settings);
     return built;
+}
+
+std::vector<double> Session::timeBuilds(Builder builder, uint32_t runs, const BuildSettings& settings) {
+    BuiltTree built = prepared(builder);
+    buildRuns(built, runs, settings);
+    run_.progress.clear();
+    return built.runs;
 }
 
 const DeviceTree& Session::upload(BuiltTree& built) {

@@ -27,10 +27,14 @@ class Session {
     // Of the triangles with finite vertices, in world space; empty without any.
     const Box& worldBounds() const { return bounds_; }
 
-    BuiltTree build(Builder builder);
+    // With the settings of the run where none are given.
+    BuiltTree build(Builder builder) { return build(builder, run_.options.settings); }
+    BuiltTree build(Builder builder, const BuildSettings& settings);
     // Builds the same tree `runs` times; on the device after a warm-up, and once more to see where the time goes.
     BuiltTree buildTimed(Builder builder, uint32_t runs) { return buildTimed(builder, runs, run_.options.settings); }
     BuiltTree buildTimed(Builder builder, uint32_t runs, const BuildSettings& settings);
+    // Only the milliseconds of each.
+    std::vector<double> timeBuilds(Builder builder, uint32_t runs, const BuildSettings& settings);
     // The tree on the device, which opens it.
     const DeviceTree& upload(BuiltTree& built);
     // What pictures need beside the tree.
@@ -44,6 +48,7 @@ class Session {
     BuiltTree prepared(Builder builder);
     void buildOnDevice(BuiltTree& built, const BuildSettings& settings);
     void buildOnce(BuiltTree& built, const BuildSettings& settings);
+    void buildRuns(BuiltTree& built, uint32_t runs, const BuildSettings& settings);
     void finish(BuiltTree& built, const BuildSettings& settings);
 
     Run& run_;

@@ -1,11 +1,21 @@
 #include "figures/error_rows.h"
 
+#include <algorithm>
+
 namespace cleave {
 namespace {
 
 bool beats(const ErrorRow& one, const ErrorRow& other) {
     const bool atMost = one.error <= other.error && one.time.median <= other.time.median;
     return atMost && (one.error < other.error || one.time.median < other.time.median);
+}
+
+ErrorRow rowOf(const SceneErrors& scene, const std::string& builder, const std::string& settings) {
+    ErrorRow row;
+    row.scene = scene.name;
+    row.builder = builder;
+    row.settings = settings;
+    return row;
 }
 
 }  // namespace
@@ -16,6 +26,75 @@ void markPareto(std::vector<ErrorRow>& rows) {
         for (const ErrorRow& other : rows)
             if (other.scene == row.scene && beats(other, row)) row.pareto = false;
     }
+}
+
+double percentAbove(double value, double base) { return 100.0 * (value / base - 1.0); }
+
+Spread timeOfAll(const AllSetErrors& sets) {
+    std::vector<double> sums;
+    for (const SetErrors& set : sets) {
+        sums.resize(std::max(sums.size(), set.runs.size()));
+        for (size_t i = 0; i < set.runs.size(); ++i) sums[i] += set.runs[i];
+    }
+    return sums.empty() ? Spread{} : spreadOf(sums);
+}
+
+SetErrors sumOf(const AllSetErrors& sets) {
+    SetErrors sum;
+    for (const SetErrors& set : sets) {
+        sum.rays += set.rays;
+        sum.judged += set.judged;
+        sum.wrong += set.wrong;
+        sum.missed += set.missed;
+        sum.falseHits += set.falseHits;
+        sum.undecided += set.undecided;
+        sum.largestTError = std::max(sum.largestTError, set.largestTError);
+    }
+    return sum;
+}
+
+std::vector<ErrorRow> treeRows(const SceneErrors& scene) {
+    std::vector<ErrorRow> rows;
+    for (const TreeErrors& tree : scene.trees) {
+        if (!tree.hasCost || !(scene.trees.front().sahCost > 0.0)) continue;
+        ErrorRow row = rowOf(scene, tree.builder, tree.settings);
+        row.error = row.errorLow = row.errorHigh = percentAbove(tree.sahCost, scene.trees.front().sahCost);
+        row.time = spreadOf(tree.runs);
+        rows.push_back(row);
+    }
+    markPareto(rows);
+    return rows;
+}
+
+std::vector<ErrorRow> rayRows(const SceneErrors& scene) {
+    std::vector<ErrorRow> rows;
+    for (const TracedErrors& traced : scene.traced) {
+        const TreeErrors& tree = scene.trees[traced.tree];
+        const Spread time = timeOfAll(traced.sets);
+        const double base = timeOfAll(scene.traced.front().sets).median;
+        ErrorRow row = rowOf(scene, tree.builder, tree.settings);
+        row.error = percentAbove(time.median, base);
+        row.errorLow = percentAbove(time.low, base);
+        row.errorHigh = percentAbove(time.high, base);
+        row.time = spreadOf(tree.runs);
+        rows.push_back(row);
+    }
+    markPareto(rows);
+    return rows;
+}
+
+std::vector<ErrorRow> hitRows(const SceneErrors& scene) {
+    std::vector<ErrorRow> rows;
+    for (const WayErrors& way : scene.ways) {
+        const SetErrors all = sumOf(way.sets);
+        ErrorRow row = rowOf(scene, "gpu", way.traversal + ", " + way.test);
+        row.error = all.judged > 0 ? 1e6 * static_cast<double>(all.wrong) / static_cast<double>(all.judged) : 0.0;
+        row.errorLow = row.errorHigh = row.error;
+        row.time = timeOfAll(way.sets);
+        rows.push_back(row);
+    }
+    markPareto(rows);
+    return rows;
 }
 
 Json errorRowsJson(const std::vector<ErrorRow>& rows) {
@@ -36,16 +115,16 @@ Json errorRowsJson(const std::vector<ErrorRow>& rows) {
 }
 
 Json errorsJson(const std::vector<SceneErrors>& scenes) {
-    Json tree = Json::array(), rays = Json::array(), hits = Json::array();
-    const auto add = [](Json& to, const std::vector<ErrorRow>& rows) {
-        for (const Json& row : errorRowsJson(rows)) to.push_back(row);
+    std::vector<ErrorRow> tree, rays, hits;
+    const auto add = [](std::vector<ErrorRow>& all, const std::vector<ErrorRow>& more) {
+        all.insert(all.end(), more.begin(), more.end());
     };
     for (const SceneErrors& scene : scenes) {
-        add(tree, scene.tree);
-        add(rays, scene.rays);
-        add(hits, scene.hits);
+        add(tree, treeRows(scene));
+        add(rays, rayRows(scene));
+        add(hits, hitRows(scene));
     }
-    return {{"tree", tree}, {"rays", rays}, {"hits", hits}};
+    return {{"tree", errorRowsJson(tree)}, {"rays", errorRowsJson(rays)}, {"hits", errorRowsJson(hits)}};
 }
 
 }  // namespace cleave

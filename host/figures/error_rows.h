@@ -1,13 +1,11 @@
 // Error against run time: one row per way to compute something, and which of them no other beats.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "figures/json.h"
-#include "figures/peer_figures.h"
+#include "figures/scene_errors.h"
 #include "figures/timing.h"
 
 namespace cleave {
@@ -24,37 +22,22 @@ struct ErrorRow {
 // in one. Equal rows are on it together.
 void markPareto(std::vector<ErrorRow>& rows);
 
-Json errorRowsJson(const std::vector<ErrorRow>& rows);
+// Per cent of SAH cost above that of the first tree, and the build's time; one per tree whose cost is defined.
+std::vector<ErrorRow> treeRows(const SceneErrors& scene);
+// Per cent of tracing time above that through the first tree, and the build's time; one per traced tree.
+std::vector<ErrorRow> rayRows(const SceneErrors& scene);
+// Wrong answers per million, and the time of the rays; one per way.
+std::vector<ErrorRow> hitRows(const SceneErrors& scene);
 
-// What a row about rays is made of: the build, and each of the sets.
-struct RayTimes {
-    std::string builder;
-    Spread build;
-    std::array<Spread, kRaySets.size()> sets;  // no runs: no rays
-    Spread all;                                // the sets one after the other
-};
+// The sets one after the other: run i is the sum of their runs i.
+Spread timeOfAll(const AllSetErrors& sets);
+// Their rays, added up; no runs.
+SetErrors sumOf(const AllSetErrors& sets);
 
-// Of a row about hits.
-struct JudgedRays {
-    uint64_t judged = 0, wrong = 0, undecided = 0;
-    uint64_t traced = 0;  // rays that the time is of
-};
-
-// All figures of a scene.
-struct SceneErrors {
-    std::string name;
-    uint64_t triangles = 0;
-    std::string failure;             // why there are no figures; empty: there are
-    std::vector<ErrorRow> tree;      // per cent of SAH cost above that of `exact`, and the build's time
-    std::vector<ErrorRow> rays;      // per cent of tracing time above that through the tree of `exact`, the same
-    std::vector<RayTimes> rayTimes;  // one per row of `rays`
-    std::vector<ErrorRow> hits;      // wrong answers per million, and the time of the rays
-    std::vector<JudgedRays> judged;  // one per row of `hits`
-    std::vector<PeerFigures> peers;
-    std::vector<std::string> withoutCost;  // builders whose tree has no SAH cost
-};
+double percentAbove(double value, double base);
 
 // {"tree": rows, "rays": rows, "hits": rows} of all scenes.
 Json errorsJson(const std::vector<SceneErrors>& scenes);
+Json errorRowsJson(const std::vector<ErrorRow>& rows);
 
 }  // namespace cleave

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "figures/error_rows.h"
+#include "figures/report_scene.h"
 
 namespace cleave {
 
@@ -14,10 +14,9 @@ struct ReportPage {
     std::string device, driver;
     uint32_t threads = 0;  // of builders on the CPU
     uint32_t runs = 0;
-    std::string traversal;   // of the rays
-    uint64_t raysOfSet = 0;  // in each set, at most
     bool interior = false;
-    bool withPeers = false;
+    bool wentOn = false;  // some figures are from an earlier run that was interrupted
+    ReportSettings settings;
     std::vector<SceneErrors> scenes;
     std::vector<std::pair<std::string, std::string>> leftOut;  // what, and why
 };

@@ -63,6 +63,7 @@ class Reference {
 struct CheckResult {
     uint64_t rays = 0;
     uint64_t mismatches = 0;
+    uint64_t missed = 0, falseHits = 0;  // of the mismatches; the others are hits at a wrong t or of a wrong triangle
     uint64_t undecided = 0;
     double maxRelativeTError = 0.0;
     std::string first;

@@ -12,7 +12,7 @@ namespace {
 
 // Of one thread; not in one cache line with the next one's.
 struct alignas(64) Tally {
-    uint64_t mismatches = 0;
+    uint64_t mismatches = 0, missed = 0, falseHits = 0;
     uint64_t undecided = 0;
     double maxRelativeTError = 0.0;
     uint64_t firstMismatch = std::numeric_limits<uint64_t>::max();  // an index of a ray
@@ -36,6 +36,8 @@ std::string described(uint64_t index, const Ray& ray, const Hit& hit) {
 void CheckResult::add(const CheckResult& more) {
     rays += more.rays;
     mismatches += more.mismatches;
+    missed += more.missed;
+    falseHits += more.falseHits;
     undecided += more.undecided;
     maxRelativeTError = std::max(maxRelativeTError, more.maxRelativeTError);
 }
@@ -57,11 +59,15 @@ CheckResult check(const Reference& reference, std::span<const Ray> rays, std::sp
         tally.maxRelativeTError = std::max(tally.maxRelativeTError, judgement.relativeTError);
         if (judgement.verdict != Reference::Verdict::mismatch) return;
         ++tally.mismatches;
+        tally.missed += judgement.fault == Reference::Fault::missed ? 1 : 0;
+        tally.falseHits += judgement.fault == Reference::Fault::falseHit ? 1 : 0;
         tally.firstMismatch = std::min(tally.firstMismatch, index);
     });
     uint64_t first = std::numeric_limits<uint64_t>::max();
     for (const Tally& tally : tallies) {
         result.mismatches += tally.mismatches;
+        result.missed += tally.missed;
+        result.falseHits += tally.falseHits;
         result.undecided += tally.undecided;
         result.maxRelativeTError = std::max(result.maxRelativeTError, tally.maxRelativeTError);
         first = std::min(first, tally.firstMismatch);

@@ -29,6 +29,8 @@ void countLeaf(TreeStatistics& s, uint32_t count, uint32_t depth) {
     s.maxDepth = std::max(s.maxDepth, depth);
     s.largestLeaf = std::max(s.largestLeaf, count);
     ++s.leafHistogram[std::min<size_t>(count, kHistogramSize - 1)];
+    if (s.depthHistogram.size() <= depth) s.depthHistogram.resize(depth + 1);
+    ++s.depthHistogram[depth];
 }
 
 AreaSums sumAreas(const KdTree& tree, TreeStatistics& s) {

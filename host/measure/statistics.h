@@ -16,7 +16,8 @@ struct TreeStatistics {
     uint64_t references = 0;  // entries of all leaf lists
     uint32_t maxDepth = 0;    // of a leaf; the root has depth 0
     uint32_t largestLeaf = 0;
-    std::vector<uint64_t> leafHistogram;  // [n]: leaves with n triangles, the last entry: that many or more
+    std::vector<uint64_t> leafHistogram;   // [n]: leaves with n triangles, the last entry: that many or more
+    std::vector<uint64_t> depthHistogram;  // [d]: leaves at depth d, 0 to maxDepth
     // Survey section 4, for a uniformly distributed line that meets the root box; null if that box has no area.
     SahCosts costs = kDefaultCosts;
     std::optional<double> sahCost;  // costs.traverse inner + costs.intersect triangles

@@ -6,13 +6,11 @@
 
 #include "base/text.h"
 #include "plot/escape.h"
+#include "plot/frame.h"
 
 namespace cleave {
 namespace {
 
-// Okabe and Ito's colours, which remain distinct to the colour-blind; grey in place of their yellow, which is too pale
-// for an outline on white.
-constexpr std::array kColours{"#0072B2", "#000000", "#D55E00", "#E69F00", "#CC79A7", "#009E73", "#56B4E9", "#777777"};
 // Outlines about the origin.
 constexpr std::array kShapes{"M-5 0A5 5 0 1 0 5 0A5 5 0 1 0-5 0Z",  // circle
                              "M-4.5-4.5H4.5V4.5H-4.5Z",             // square
@@ -22,7 +20,6 @@ constexpr std::array kShapes{"M-5 0A5 5 0 1 0 5 0A5 5 0 1 0-5 0Z",  // circle
 constexpr double kMark = 6.0;                                       // half of its size
 constexpr double kCharacter = 6.2;                                  // width of one in a label, about
 constexpr double kLabelHeight = 11.0;
-constexpr double kLeastTickDistance = 16.0;
 
 struct Rectangle {
     double left = 0.0, top = 0.0, right = 0.0, bottom = 0.0;
@@ -31,28 +28,12 @@ struct Rectangle {
     }
 };
 
-std::string number(double value) { return fixed(value, 1); }
-
-// How lines are drawn, as attributes, so that a plot looks the same under any style sheet.
-constexpr const char* kGrid = "stroke=\"#e3e3e3\"";
-constexpr const char* kZero = "stroke=\"#9a9a9a\"";
-constexpr const char* kAxis = "stroke=\"#1a1a1a\"";
 constexpr const char* kSpread = "stroke=\"#8a8a8a\" stroke-width=\"1.2\"";
 constexpr const char* kFront = "fill=\"none\" stroke=\"#555\" stroke-width=\"1.4\" stroke-dasharray=\"5 3\"";
 
-std::string line(double x1, double y1, double x2, double y2, const char* look) {
-    return "<line " + std::string(look) + " x1=\"" + number(x1) + "\" y1=\"" + number(y1) + "\" x2=\"" + number(x2) +
-           "\" y2=\"" + number(y2) + "\"/>\n";
-}
-
-std::string text(double x, double y, const char* anchor, const std::string& content, const std::string& more = "") {
-    return "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\" text-anchor=\"" + anchor + "\"" + more + ">" +
-           escaped(content) + "</text>\n";
-}
-
 std::string mark(size_t series, double x, double y, bool filled, const std::string& title) {
-    const std::string colour = kColours[series % kColours.size()];
-    return "<path transform=\"translate(" + number(x) + " " + number(y) + ")\" d=\"" +
+    const std::string colour = seriesColour(series);
+    return "<path transform=\"translate(" + coordinate(x) + " " + coordinate(y) + ")\" d=\"" +
            kShapes[series % kShapes.size()] + "\" stroke=\"" + colour + "\" fill=\"" + (filled ? colour : "#fff") +
            "\" stroke-width=\"1.6\"" +
            (title.empty() ? std::string("/>\n") : "><title>" + escaped(title) + "</title></path>\n");
@@ -66,9 +47,8 @@ class Drawing {
           yAxis_(plot.yScale, lowest(), highest()) {}
 
     std::string svg() const {
-        return "<svg class=\"plot\" role=\"img\" viewBox=\"0 0 " + fixed(kPlotWidth, 0) + " " + fixed(kPlotHeight, 0) +
-               "\" font-size=\"11\" fill=\"#1a1a1a\">\n<title>" + escaped(plot_.title) + "</title>\n" + axes() +
-               staircase() + spreads() + marks() + labels() + legend() + "</svg>\n";
+        return svgOf(plot_.title, axesSvg(xAxis_, yAxis_, plot_.xTitle, plot_.yTitle) + staircase() + spreads() +
+                                      marks() + labels() + legend());
     }
 
   private:
@@ -94,29 +74,6 @@ class Drawing {
     double x(double value) const { return kPlotLeft + xAxis_.at(value) * (kPlotRight - kPlotLeft); }
     double y(double value) const { return kPlotBottom - yAxis_.at(value) * (kPlotBottom - kPlotTop); }
 
-    std::string axes() const {
-        std::string out;
-        for (const Tick& tick : xAxis_.ticks()) {
-            const double at = x(tick.value);
-            out += line(at, kPlotTop, at, kPlotBottom, kGrid) + text(at, kPlotBottom + 16.0, "middle", tick.label);
-        }
-        double below = kPlotBottom + kLeastTickDistance;
-        for (const Tick& tick : yAxis_.ticks()) {
-            const double at = y(tick.value);
-            if (below - at < kLeastTickDistance) continue;
-            below = at;
-            out += line(kPlotLeft, at, kPlotRight, at, tick.value == 0.0 ? kZero : kGrid) +
-                   text(kPlotLeft - 7.0, at + 4.0, "end", tick.label);
-        }
-        out += line(kPlotLeft, kPlotBottom, kPlotRight, kPlotBottom, kAxis) +
-               line(kPlotLeft, kPlotTop, kPlotLeft, kPlotBottom, kAxis);
-        const double middle = 0.5 * (kPlotTop + kPlotBottom);
-        out += text(0.5 * (kPlotLeft + kPlotRight), kPlotBottom + 38.0, "middle", plot_.xTitle, " font-size=\"12\"");
-        out += text(16.0, middle, "middle", plot_.yTitle,
-                    " font-size=\"12\" transform=\"rotate(-90 16 " + number(middle) + ")\"");
-        return out;
-    }
-
     // By x.
     std::vector<const PlotPoint*> frontPoints() const {
         std::vector<const PlotPoint*> front;
@@ -130,16 +87,16 @@ class Drawing {
     std::string staircase() const {
         const std::vector<const PlotPoint*> front = frontPoints();
         if (front.empty()) return "";
-        std::string path = "M" + number(x(front.front()->x)) + " " + number(kPlotTop);
-        for (const PlotPoint* p : front) path += "H" + number(x(p->x)) + "V" + number(y(p->y));
-        return "<path " + std::string(kFront) + " d=\"" + path + "H" + number(kPlotRight) + "\"/>\n";
+        std::string path = "M" + coordinate(x(front.front()->x)) + " " + coordinate(kPlotTop);
+        for (const PlotPoint* p : front) path += "H" + coordinate(x(p->x)) + "V" + coordinate(y(p->y));
+        return "<path " + std::string(kFront) + " d=\"" + path + "H" + coordinate(kPlotRight) + "\"/>\n";
     }
 
     std::string spreads() const {
         std::string out;
         for (const PlotPoint& p : plot_.points) {
-            if (x(p.xHigh) - x(p.xLow) > kMark) out += line(x(p.xLow), y(p.y), x(p.xHigh), y(p.y), kSpread);
-            if (y(p.yLow) - y(p.yHigh) > kMark) out += line(x(p.x), y(p.yLow), x(p.x), y(p.yHigh), kSpread);
+            if (x(p.xHigh) - x(p.xLow) > kMark) out += lineSvg(x(p.xLow), y(p.y), x(p.xHigh), y(p.y), kSpread);
+            if (y(p.yLow) - y(p.yHigh) > kMark) out += lineSvg(x(p.x), y(p.yLow), x(p.x), y(p.yHigh), kSpread);
         }
         return out;
     }
@@ -224,9 +181,9 @@ class Drawing {
                 if (!inside || std::any_of(occupied.begin(), occupied.end(), meets)) continue;
                 if (strict && std::any_of(crossing.begin(), crossing.end(), meets)) continue;
                 occupied.push_back(box);
-                return "<rect fill=\"#fff\" fill-opacity=\"0.8\" x=\"" + number(box.left) + "\" y=\"" +
-                       number(box.top) + "\" width=\"" + number(width) + "\" height=\"" + number(kLabelHeight) +
-                       "\"/>\n" + text(at, middle + 4.0, place.anchor, p.label);
+                return "<rect fill=\"#fff\" fill-opacity=\"0.8\" x=\"" + coordinate(box.left) + "\" y=\"" +
+                       coordinate(box.top) + "\" width=\"" + coordinate(width) + "\" height=\"" +
+                       coordinate(kLabelHeight) + "\"/>\n" + textSvg(at, middle + 4.0, place.anchor, p.label);
             }
         return "";
     }
@@ -235,13 +192,13 @@ class Drawing {
         std::string out;
         double at = kPlotTop + 10.0;
         for (size_t i = 0; i < plot_.series.size(); ++i, at += 20.0)
-            out +=
-                mark(i, kPlotRight + 22.0, at, true, "") + text(kPlotRight + 34.0, at + 4.0, "start", plot_.series[i]);
+            out += mark(i, kPlotRight + 22.0, at, true, "") +
+                   textSvg(kPlotRight + 34.0, at + 4.0, "start", plot_.series[i]);
         at += 8.0;
-        out += "<path " + std::string(kFront) + " d=\"M" + number(kPlotRight + 14.0) + " " + number(at) + "h16\"/>\n" +
-               text(kPlotRight + 34.0, at + 4.0, "start", "Pareto front");
-        return out + text(kPlotRight + 14.0, at + 24.0, "start", "filled: on the front") +
-               text(kPlotRight + 14.0, at + 40.0, "start", "bars: lowest to highest");
+        out += "<path " + std::string(kFront) + " d=\"M" + coordinate(kPlotRight + 14.0) + " " + coordinate(at) +
+               "h16\"/>\n" + textSvg(kPlotRight + 34.0, at + 4.0, "start", "Pareto front");
+        return out + textSvg(kPlotRight + 14.0, at + 24.0, "start", "filled: on the front") +
+               textSvg(kPlotRight + 14.0, at + 40.0, "start", "bars: lowest to highest");
     }
 };
 

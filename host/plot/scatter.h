@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "plot/axis.h"
+#include "plot/frame.h"
 
 namespace cleave {
 
@@ -25,10 +25,6 @@ struct ScatterPlot {
     std::vector<std::string> series;  // names, for the legend
     std::vector<PlotPoint> points;
 };
-
-// The area within the axes, in the units of the picture, which is kPlotWidth x kPlotHeight.
-inline constexpr double kPlotWidth = 760.0, kPlotHeight = 420.0;
-inline constexpr double kPlotLeft = 64.0, kPlotRight = 610.0, kPlotTop = 14.0, kPlotBottom = 366.0;
 
 // An <svg> element. Series differ in colour and in shape. Points on the front are filled, and a staircase joins them:
 // above it there is always one that is better. A label that has no free place beside its point is left out; every

@@ -48,6 +48,21 @@ dvec3 cosineDirection(const dvec3& normal, double u1, double u2) {
     return radius * std::cos(angle) * b1 + radius * std::sin(angle) * b2 + std::sqrt(1.0 - u1) * normal;
 }
 
+// The side of a box, 0 to 5 (twice the axis that it is across, one more for the upper), that a number in [0, 1) picks
+// in proportion to its area.
+int sideByArea(const dvec3& extent, double u) {
+    const dvec3 areas(extent.y * extent.z, extent.z * extent.x, extent.x * extent.y);
+    double left = u * 2.0 * (areas.x + areas.y + areas.z);
+    int last = 0;
+    for (int side = 0; side < 6; ++side) {
+        if (areas[side / 2] == 0.0) continue;
+        last = side;
+        if (left < areas[side / 2]) break;
+        left -= areas[side / 2];
+    }
+    return last;
+}
+
 // For each j below size * size: ray(point j mod n, j).
 template <typename MakeRay>
 std::vector<Ray> fromPoints(std::span<const SurfacePoint> points, uint32_t size, const MakeRay& ray) {
@@ -115,6 +130,28 @@ std::vector<Ray> shadowRays(std::span<const SurfacePoint> points, const Box& bou
         const double distance = glm::length(way);
         return Ray{vec3(point.position), 0.0f, vec3(way / distance), float(distance)};
     });
+}
+
+// A line that meets a convex body enters it at a point that is uniform on the surface, at an angle from the inward
+// normal that is cosine-weighted (Santalo 1976, "Integral geometry and geometric probability").
+std::vector<Ray> uniformLines(const Box& bounds, uint32_t count, uint32_t seed) {
+    const dvec3 extent = extentOf(bounds);
+    std::vector<Ray> lines;
+    if (extent.x * extent.y + extent.y * extent.z + extent.z * extent.x == 0.0) return lines;
+    lines.reserve(count);
+    for (uint32_t j = 0; j < count; ++j) {
+        const int side = sideByArea(extent, rnd(~seed, j, 0)), axis = side / 2;
+        const bool upper = side % 2 == 1;
+        dvec3 place(rnd(seed, j, 0), rnd(seed, j, 0), rnd(seed, j, 0));
+        place[(axis + 1) % 3] = rnd(seed, j, 1);
+        place[axis] = upper ? 1.0 : 0.0;
+        dvec3 inward(0.0);
+        inward[axis] = upper ? -1.0 : 1.0;
+        const dvec3 direction = cosineDirection(inward, rnd(seed, j, 2), rnd(seed, j, 3));
+        const dvec3 start = dvec3(bounds.lo) + place * extent - 0.1 * glm::length(extent) * direction;
+        lines.push_back({vec3(start), 0.0f, vec3(direction), kFar});
+    }
+    return lines;
 }
 
 std::vector<Triangle> soup(uint32_t n) {

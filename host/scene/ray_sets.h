@@ -37,6 +37,10 @@ std::vector<Ray> diffuseRays(std::span<const SurfacePoint> points, uint32_t size
 // Returns rays for any hit, towards a large light outside of the scene, whose distance is tMax.
 std::vector<Ray> shadowRays(std::span<const SurfacePoint> points, const Box& bounds, uint32_t size = kRaySetSize);
 
+// Returns rays along lines that are uniformly distributed among those that meet the box, as the surface area heuristic
+// has them: isotropic, from before the box, without an end. No box, no rays.
+std::vector<Ray> uniformLines(const Box& bounds, uint32_t count, uint32_t seed);
+
 // Returns n small triangles, evenly spread in the unit cube.
 std::vector<Triangle> soup(uint32_t n);
 

@@ -180,11 +180,15 @@ TEST_F(Judge, CheckCountsAndDescribes) {
     const CheckResult all = check(reference, rays, hits, Query::closest, 1000);
     EXPECT_EQ(all.rays, 100u);
     EXPECT_EQ(all.mismatches, 2u);
+    EXPECT_EQ(all.missed, 1u);
+    EXPECT_EQ(all.falseHits, 0u);
     EXPECT_NE(all.first.find("ray 40"), std::string::npos) << all.first;
     const CheckResult some = check(reference, rays, hits, Query::closest, 10, 1);  // rays 0, 10, ... 90
     EXPECT_EQ(some.rays, 10u);
     EXPECT_EQ(some.mismatches, 2u);
     EXPECT_EQ(check(reference, {}, {}, Query::any, 10).rays, 0u);
+    rays[20].direction = -ray.direction;
+    EXPECT_EQ(check(reference, rays, hits, Query::closest, 1000).falseHits, 1u);
     hits.pop_back();
     EXPECT_THROW(check(reference, rays, hits, Query::closest, 10), Error);
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <numbers>
 
 #include "scene/camera.h"
@@ -171,6 +172,47 @@ TEST(RaySets, shadowRaysEndAtTheLight) {
 TEST(RaySets, areEmptyWithoutHits) {
     EXPECT_TRUE(diffuseRays({}, 8).empty());
     EXPECT_TRUE(shadowRays({}, kUnit, 8).empty());
+}
+
+// Cauchy: the mean length of uniformly distributed lines within a convex body is 4 volumes over its surface.
+TEST(RaySets, uniformLinesHaveTheMeanChordOfTheBox) {
+    const vec3 corner(3.0f, -1.0f, 0.5f);
+    for (const vec3& extent : {vec3(1, 1, 1), vec3(4, 2, 1), vec3(10, 0.1f, 0.3f)}) {
+        const Box box{corner, corner + extent};
+        const std::vector<Ray> lines = uniformLines(box, 20000, 7);
+        ASSERT_EQ(lines.size(), 20000u);
+        double sum = 0.0, squares = 0.0;
+        for (const Ray& line : lines) {
+            double from = -1e30, to = 1e30;
+            for (int axis = 0; axis < 3; ++axis) {
+                const double a = (double{box.lo[axis]} - line.origin[axis]) / line.direction[axis];
+                const double b = (double{box.hi[axis]} - line.origin[axis]) / line.direction[axis];
+                from = std::max(from, std::min(a, b));
+                to = std::min(to, std::max(a, b));
+            }
+            EXPECT_GT(from, 0.0) << "starts before the box";
+            sum += std::max(to - from, 0.0);
+            squares += (to - from) * (to - from);
+        }
+        const double count = static_cast<double>(lines.size()), mean = sum / count;
+        const double error = std::sqrt((squares / count - mean * mean) / count);
+        const double volume = double{extent.x} * extent.y * extent.z;
+        const double surface =
+            2.0 * (double{extent.x} * extent.y + double{extent.y} * extent.z + double{extent.z} * extent.x);
+        EXPECT_NEAR(mean, 4.0 * volume / surface, 4.0 * error);
+        std::printf("seed 7: mean chord %.5f, expected %.5f, standard error %.5f\n", mean, 4.0 * volume / surface,
+                    error);
+    }
+}
+
+TEST(RaySets, uniformLinesOfAFlatBoxCrossIt) {
+    for (const Ray& line : uniformLines({vec3(0), vec3(1, 0, 1)}, 100, 1)) {
+        const double t = -double{line.origin.y} / line.direction.y;
+        EXPECT_NEAR(line.origin.x + t * line.direction.x, 0.5, 0.5 + 1e-5);
+        EXPECT_NEAR(line.origin.z + t * line.direction.z, 0.5, 0.5 + 1e-5);
+    }
+    EXPECT_TRUE(uniformLines({vec3(0), vec3(1, 0, 0)}, 100, 1).empty()) << "no area, no lines";
+    EXPECT_TRUE(uniformLines(emptyBox(), 100, 1).empty());
 }
 
 // Fixed for good: published figures rest on them. Primary and shadow rays use only operations that IEEE 754 rounds
