@@ -49,7 +49,8 @@ double costPerRay(Run& run, const DeviceTree& tree, const SurveyRays& rays) {
     for (const std::vector<Ray>* set : {&rays.primary, &rays.diffuse}) {
         if (set->empty()) continue;
         for (const StepCount& s : run.device.tracer().trace(tree, *set, counting).steps)
-            cost += double{costs.traverse} * s.inner + double{costs.intersect} * s.triangles;
+            cost += double{costs.traverse} * s.inner + double{costs.leaf} * s.leaves +
+                    double{costs.intersect} * s.triangles;
     }
     return cost / static_cast<double>(std::max<size_t>(1, rays.primary.size() + rays.diffuse.size()));
 }

@@ -19,7 +19,7 @@ struct TreeStatistics {
     std::vector<uint64_t> leafHistogram;  // [n]: leaves with n triangles, the last entry: that many or more
     // Survey section 4, for a uniformly distributed line that meets the root box; null if that box has no area.
     SahCosts costs = kDefaultCosts;
-    std::optional<double> sahCost;  // costs.traverse inner + costs.intersect triangles
+    std::optional<double> sahCost;  // costs.traverse inner + costs.leaf leaves + costs.intersect triangles
     std::optional<double> expectedInner;
     std::optional<double> expectedLeaves;
     std::optional<double> expectedTriangles;

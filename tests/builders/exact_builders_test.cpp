@@ -35,14 +35,21 @@ void expectIdentical(const KdTree& a, const KdTree& b) {
     }
 }
 
+// Both exact builders, counting and sorting in small nodes, with one thread and several.
 void expectSameFromAll(const std::vector<Triangle>& triangles, BuildSettings settings = {}) {
     const TriangleSet set = makeTriangleSet(triangles);
+    settings.smallNodes = SmallNodes::sort;
     const KdTree expected = buildExactNLog2N(set, settings);
     EXPECT_TRUE(validate(expected, set, depthLimit(settings, set.included.size())).ok());
-    for (const uint32_t threads : {1u, 2u, 3u}) {
-        SCOPED_TRACE(threads);
-        settings.threads = threads;
-        expectIdentical(buildExact(set, settings), expected);
+    for (const SmallNodes small : {SmallNodes::count, SmallNodes::sort}) {
+        SCOPED_TRACE(small == SmallNodes::count ? "counting" : "sorting");
+        settings.smallNodes = small;
+        expectIdentical(buildExactNLog2N(set, settings), expected);
+        for (const uint32_t threads : {1u, 2u, 3u}) {
+            SCOPED_TRACE(threads);
+            settings.threads = threads;
+            expectIdentical(buildExact(set, settings), expected);
+        }
     }
 }
 
@@ -184,6 +191,7 @@ Work workOf(uint32_t n) {
     const TriangleSet set = makeTriangleSet(wavySheet(n));
     BuildSettings settings;
     settings.threads = 1;
+    settings.smallNodes = SmallNodes::sort;
     BuildReport once, perNode;
     const KdTree tree = buildExact(set, settings, &once);
     buildExactNLog2N(set, settings, &perNode);
