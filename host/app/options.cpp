@@ -32,8 +32,6 @@ constexpr std::array<std::pair<const char*, View>, 5> kViews = {{{"shaded", View
                                                                  {"depth", View::depth},
                                                                  {"steps", View::steps},
                                                                  {"leaves", View::leaves}}};
-constexpr std::array<std::pair<const char*, AxisChoice>, 3> kAxes = {
-    {{"all", AxisChoice::all}, {"widest", AxisChoice::widest}, {"cycle", AxisChoice::cycle}}};
 constexpr std::array<std::pair<const char*, StopRule>, 2> kStopRules = {
     {{"sah", StopRule::cost}, {"sa-n", StopRule::equation41}}};
 constexpr std::array<std::pair<const char*, SmallNodes>, 2> kSmallNodes = {

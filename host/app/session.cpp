@@ -88,10 +88,10 @@ void Session::finish(BuiltTree& built, const BuildSettings& settings) {
     run_.progress.clear();
 }
 
-BuiltTree Session::build(Builder builder) {
+BuiltTree Session::build(Builder builder, const BuildSettings& settings) {
     BuiltTree built = prepared(builder);
-    buildOnce(built, run_.options.settings);
-    finish(built, run_.options.settings);
+    buildOnce(built, settings);
+    finish(built, settings);
     return built;
 }
 

@@ -27,7 +27,8 @@ class Session {
     // Of the triangles with finite vertices, in world space; empty without any.
     const Box& worldBounds() const { return bounds_; }
 
-    BuiltTree build(Builder builder);
+    BuiltTree build(Builder builder) { return build(builder, run_.options.settings); }
+    BuiltTree build(Builder builder, const BuildSettings& settings);
     // Builds the same tree `runs` times; on the device after a warm-up, and once more to see where the time goes.
     BuiltTree buildTimed(Builder builder, uint32_t runs) { return buildTimed(builder, runs, run_.options.settings); }
     BuiltTree buildTimed(Builder builder, uint32_t runs, const BuildSettings& settings);
