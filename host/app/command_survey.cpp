@@ -18,20 +18,41 @@ Json reportJson(const BuildReport& report) {
     return {{"peakBytes", report.peakBytes}, {"eventsSwept", report.eventsSwept}, {"sortSteps", report.sortSteps}};
 }
 
+Json variantJson(const SurveyVariant& v) {
+    return {{"oneThreadMs", v.oneThread},
+            {"oneThreadCpuMs", v.oneCpu},
+            {"allThreadsMs", v.allThreads},
+            {"uploadMs", v.upload},
+            {"primaryMs", v.primary},
+            {"diffuseMs", v.diffuse},
+            {"rayCost", numberJson(v.rayCost)},
+            {"sahCost", numberJson(v.statistics.sahCost)},
+            {"references", v.statistics.references},
+            {"nodes", v.statistics.nodes},
+            {"treeHash", v.hash},
+            {"check", checkJson(v.check)}};
+}
+
+// Our figures beside the builder's name, the pure ones below `pure`.
 Json builderJson(const SurveyBuilder& b) {
-    return {{"builder", nameOf(b.builder)},
-            {"oneThreadMs", b.oneThread},
-            {"oneThreadCpuMs", b.oneCpu},
-            {"allThreadsMs", b.allThreads},
-            {"uploadMs", b.upload},
-            {"primaryMs", b.primary},
-            {"diffuseMs", b.diffuse},
-            {"rayCost", numberJson(b.rayCost)},
-            {"sahCost", numberJson(b.statistics.sahCost)},
-            {"references", b.statistics.references},
-            {"nodes", b.statistics.nodes},
-            {"treeHash", b.hash},
-            {"check", checkJson(b.check)}};
+    Json json = variantJson(b.ours);
+    json["builder"] = nameOf(b.builder);
+    json["pure"] = b.pure ? variantJson(*b.pure) : Json(nullptr);
+    return json;
+}
+
+Json mediansJson(const SurveyMedians& medians) {
+    Json trees = Json::array();
+    for (const MedianTree& tree : medians.trees)
+        trees.push_back({{"builder", nameOf(tree.builder)},
+                         {"axes", nameOf(tree.axes)},
+                         {"leafSize", tree.leafSize},
+                         {"sahCost", numberJson(tree.sahCost)},
+                         {"rayCost", numberJson(tree.rayCost)},
+                         {"references", tree.references}});
+    return {{"exactSahCost", numberJson(medians.exactSahCost)},
+            {"exactRayCost", numberJson(medians.exactRayCost)},
+            {"trees", trees}};
 }
 
 Json surveyJson(const SurveyScene& scene) {
@@ -42,6 +63,7 @@ Json surveyJson(const SurveyScene& scene) {
             {"standsIn", scene.standsIn},
             {"rays", scene.rays},
             {"builders", builders},
+            {"medians", mediansJson(scene.medians)},
             {"complexity",
              {{"exact", reportJson(c.once)},
               {"exact-nlog2n", reportJson(c.perNode)},

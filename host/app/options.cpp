@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <memory>
@@ -31,8 +32,10 @@ constexpr std::array<std::pair<const char*, View>, 5> kViews = {{{"shaded", View
                                                                  {"depth", View::depth},
                                                                  {"steps", View::steps},
                                                                  {"leaves", View::leaves}}};
-constexpr std::array<std::pair<const char*, AxisChoice>, 3> kAxes = {
-    {{"all", AxisChoice::all}, {"widest", AxisChoice::widest}, {"cycle", AxisChoice::cycle}}};
+constexpr std::array<std::pair<const char*, StopRule>, 2> kStopRules = {
+    {{"sah", StopRule::cost}, {"sa-n", StopRule::equation41}}};
+constexpr std::array<std::pair<const char*, SmallNodes>, 2> kSmallNodes = {
+    {{"count", SmallNodes::count}, {"sort", SmallNodes::sort}}};
 constexpr std::array<std::pair<const char*, bool>, 2> kSwitch = {{{"on", true}, {"off", false}}};
 
 template <typename Table>
@@ -86,14 +89,18 @@ void addWhole(CLI::App& app, const std::string& name, const std::string& text, N
         "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
 }
 
-void addCost(CLI::App& app, const std::string& name, const std::string& text, float& target) {
-    const auto cost = [](const std::string& given) {
+// A number from `least` to `most`, whose texts the refusal shows; the target is the default.
+void addNumber(CLI::App& app, const std::string& name, const std::string& text, float& target,
+               std::pair<double, const char*> least, std::pair<double, const char*> most) {
+    const auto parse = [=](const std::string& given) {
         const std::optional<double> value = parseNumber(given);
-        return value && *value >= kLeastCost && *value <= kMostCost ? value : std::nullopt;
+        return value && *value >= least.first && *value <= most.first ? value : std::nullopt;
     };
+    const std::string fallback = fixed(target, target == std::floor(target) ? 0 : 1);
     addParsed<double>(
-        app, name, "X", text + " (" + fixed(target, 0) + ")", cost,
-        [&target](double value) { target = static_cast<float>(value); }, "a number from 0.001 to 1000");
+        app, name, "X", text + " (" + fallback + ")", parse,
+        [&target](double value) { target = static_cast<float>(value); },
+        std::string("a number from ") + least.second + " to " + most.second);
 }
 
 template <typename Value, size_t n>
@@ -103,6 +110,18 @@ void addNamed(CLI::App& app, const std::string& name, const std::string& text, V
            name, [&table, &target, name](const std::string& given) { target = lookUp(table, name, given); },
            text + " (" + namesIn(table) + ")")
         ->type_name("NAME");
+}
+
+void addHeuristic(CLI::App& app, BuildSettings& settings) {
+    SahCosts& costs = settings.costs;
+    addNumber(app, "--cost-traverse", "SAH cost of an inner node", costs.traverse, {0.001, "0.001"}, {1000, "1000"});
+    addNumber(app, "--cost-intersect", "SAH cost of a triangle test", costs.intersect, {0.001, "0.001"},
+              {1000, "1000"});
+    addNumber(app, "--cost-leaf", "SAH cost of a leaf", costs.leaf, {0, "0"}, {1000, "1000"});
+    addNumber(app, "--empty-bonus", "factor on the SAH cost of a split that leaves a side empty; 1: none",
+              costs.emptyBonus, {0.001, "0.001"}, {1, "1"});
+    addNamed(app, "--stop", "SAH builders split where that costs less, or where areas times triangles shrink",
+             settings.stop, kStopRules);
 }
 
 // The same for a list, each name once; of one name unless `several`.
@@ -163,11 +182,15 @@ void addBuild(CLI::App& app, Options& options, bool several) {
     addParsed<uint64_t>(
         app, "--memory", "SIZE", "bytes that a build may use, for example 512M or 2G", parseBytes,
         [&settings](uint64_t bytes) { settings.memory = bytes; }, "a size, for example 512M or 2G");
-    addCost(app, "--cost-traverse", "SAH cost of an inner node", settings.costs.traverse);
-    addCost(app, "--cost-intersect", "SAH cost of a triangle test", settings.costs.intersect);
+    addHeuristic(app, settings);
     addWhole(app, "--bins", "bins per axis (" + std::to_string(kBins) + ")", settings.bins, 2, kBins);
     addNamed(app, "--subsample", "bin every l-th reference of large nodes, l = max(1, floor(log10 n))",
              settings.subsample, kSwitch);
+    addNamed(app, "--snap", "move sampled and binned planes to a face of a box beside them", settings.snap, kSwitch);
+    addNamed(app, "--other-axes", "hunt-one: try the other axes where the longest has no split", settings.otherAxes,
+             kSwitch);
+    addNamed(app, "--small-nodes", "exact, exact-nlog2n: how planes of nodes of up to 64 references are found",
+             settings.smallNodes, kSmallNodes);
     addWhole(app, "--exact-up-to",
              "exact SAH in nodes of at most so many references (" + std::to_string(kExactUpTo) + ")",
              settings.exactUpTo, 0, kMostExactUpTo);

@@ -2,7 +2,7 @@
 
 #include "builders/builders.h"
 #include "builders/event_node.h"
-#include "builders/face_scan.h"
+#include "builders/exact_chooser.h"
 #include "builders/graft.h"
 #include "builders/threads.h"
 #include "builders/top_down.h"
@@ -10,36 +10,8 @@
 namespace cleave {
 namespace {
 
-// Up to so many references, counting at each face is faster than splicing events; both choose the same splits.
-// Nearly all nodes are so small; the bunny builds in half the time that splicing down to 8 references took.
-constexpr uint32_t kScanUpTo = kMostScanned;
-
 // From so many references on, a node's right subtree may be built by another thread.
 constexpr uint32_t kShareChildrenFrom = 1024;
-
-uint64_t eventCount(std::span<const ClippedRef> refs) {
-    uint64_t flat = 0;
-    for (const ClippedRef& ref : refs)
-        for (int axis = 0; axis < 3; ++axis) flat += ref.box.lo[axis] == ref.box.hi[axis] ? 1 : 0;
-    return 6 * refs.size() - flat;
-}
-
-// The chooser of small nodes. The events that it does without are counted as swept.
-class ScanChooser {
-  public:
-    ScanChooser(uint32_t maxDepth, BuildReport& report) : maxDepth_(maxDepth), report_(report) {}
-
-    Split operator()(const NodeToSplit& node) {
-        report_.eventsSwept += eventCount(node.refs);
-        const Split best = bestFace(node, kAllAxes);
-        const auto count = static_cast<uint32_t>(node.refs.size());
-        return isWorthwhile(node.costs, best, node.cell, count, node.depth, maxDepth_) ? best : noSplit();
-    }
-
-  private:
-    const uint32_t maxDepth_;
-    BuildReport& report_;
-};
 
 // One part of the tree, built depth first by one thread at a time, as TopDownBuilder does it. Parts that other threads
 // built are put where this one would have built them, so that the tree does not depend on who built what.
@@ -48,13 +20,14 @@ class ExactPart {
     ExactPart(EventBuild& build, const BuildSettings& settings)
         : build_(build),
           settings_(settings),
-          small_(build.set, settings, ScanChooser(build.maxDepth, report_), build.bytes) {
+          small_(build.set, settings, ExactChooser(settings, build.maxDepth, report_), build.bytes) {
         tree_.nodes.resize(1);
     }
     ExactPart(const ExactPart&) = delete;  // the chooser holds the report's address
 
     void buildNode(uint32_t index, EventNode node) {
-        if (node.count <= kScanUpTo) return graft(tree_, index, small_.buildSubtree(node.toSplit(build_.costs)));
+        if (isCounted(settings_, node.count))
+            return graft(tree_, index, small_.buildSubtree(node.toSplit(build_.costs)));
         const Split split = choose(node);
         if (split.axis == kLeafAxis) return makeLeaf(index, node);
 
@@ -103,7 +76,7 @@ class ExactPart {
     const BuildSettings& settings_;
     BuildReport report_;
     KdTree tree_;
-    TopDownBuilder<ScanChooser> small_;
+    TopDownBuilder<ExactChooser> small_;
 };
 
 }  // namespace
@@ -111,7 +84,7 @@ class ExactPart {
 KdTree buildExact(const TriangleSet& set, const BuildSettings& settings, BuildReport* asked) {
     BuildReport report;
     EventBuild build{
-        set, settings.costs, settings.clip, depthLimit(settings, set.included.size()), settings.threads > 1, {}};
+        set, splitCosts(settings), settings.clip, depthLimit(settings, set.included.size()), settings.threads > 1, {}};
     ExactPart whole(build, settings);
     const auto run = [&] {
         BuildReport ofRoot;

@@ -24,7 +24,8 @@ enum class SampledAxes { all, hybrid, one };
 
 class SampleChooser {
   public:
-    SampleChooser(SampledAxes axes, uint32_t maxDepth) : axes_(axes), maxDepth_(maxDepth) {}
+    SampleChooser(SampledAxes axes, const BuildSettings& settings, uint32_t maxDepth)
+        : axes_(axes), snap_(settings.snap), otherAxes_(settings.otherAxes), maxDepth_(maxDepth) {}
 
     Split operator()(const NodeToSplit& node) {
         const size_t n = node.refs.size();
@@ -34,9 +35,12 @@ class SampleChooser {
             best = bestFace(node, kAllAxes);
         } else {
             for (const uint32_t axis : longestFirst(node.cell)) {
-                const Split split = n <= kExactBoxes ? bestFace(node, onlyAxis(axis)) : search(node, axis);
+                const Split split = n <= kExactBoxes ? bestFace(node, onlyAxis(axis))
+                                    : snap_          ? search(node, axis)
+                                                     : sample(node, axis);
                 if (isBetter(split, best)) best = split;
-                if (oneAxis && (n <= kOtherAxesAbove || isWorthwhile(node, best))) break;
+                const bool triesOthers = otherAxes_ && n > kOtherAxesAbove && !isWorthwhile(node, best);
+                if (oneAxis && !triesOthers) break;
             }
         }
         return isWorthwhile(node, best) ? best : noSplit();
@@ -60,7 +64,27 @@ class SampleChooser {
         return axes;
     }
 
-    // Tries the position of least interpolated cost and the faces around it; between these the cost is affine.
+    // The position of least interpolated cost over [from, to], which holds all boxes.
+    float deepestValley(const NodeToSplit& node, uint32_t axis, float from, float to) {
+        takeAdaptiveSamples(faces_.extents(node), from, to, kSamples, samples_);
+        Valley deepest{from, infinity()};
+        for (size_t i = 1; i < samples_.size(); ++i) {
+            const Valley valley = valleyBetween(samples_[i - 1], samples_[i], node.cell, axis);
+            if (valley.cost < deepest.cost) deepest = valley;
+        }
+        return deepest.position;
+    }
+
+    // The paper's plane: where the interpolated cost is least. Whether it pays is seen by true counts.
+    Split sample(const NodeToSplit& node, uint32_t axis) {
+        const float from = node.cell.lo[static_cast<int>(axis)], to = node.cell.hi[static_cast<int>(axis)];
+        if (!(from < to)) return noSplit();
+        gatherFaces(faces_, node, axis);
+        return bestAt(faces_, node, deepestValley(node, axis, from, to));
+    }
+
+    // Ours: samples what the boxes span, and tries the ends of that, the position of least interpolated cost and the
+    // faces around it; between these the cost is affine.
     Split search(const NodeToSplit& node, uint32_t axis) {
         gatherFaces(faces_, node, axis);
         const auto n = static_cast<uint32_t>(node.refs.size());
@@ -69,24 +93,21 @@ class SampleChooser {
                         0);  // empty space below the boxes or above them
         best = betterOf(best, node.costs, node.cell, axis, faces_.to, n, 0, 1);
         if (!(faces_.from < faces_.to)) return best;
-        takeAdaptiveSamples(faces_.extents(node), faces_.from, faces_.to, kSamples, samples_);
-        Valley deepest{faces_.from, infinity()};
-        for (size_t i = 1; i < samples_.size(); ++i) {
-            const Valley valley = valleyBetween(samples_[i - 1], samples_[i], node.cell, axis);
-            if (valley.cost < deepest.cost) deepest = valley;
-        }
-        const Split near = bestNear(faces_, node, deepest.position);
+        const Split near = bestNear(faces_, node, deepestValley(node, axis, faces_.from, faces_.to));
         return isBetter(near, best) ? near : best;
     }
 
     const SampledAxes axes_;
+    const bool snap_;
+    const bool otherAxes_;
     const uint32_t maxDepth_;
     FacesAlong faces_;
     std::vector<CostSample> samples_;
 };
 
 KdTree buildHunt(const TriangleSet& set, const BuildSettings& settings, SampledAxes axes, BuildReport* report) {
-    return buildTopDown(set, settings, SampleChooser(axes, depthLimit(settings, set.included.size())), report);
+    return buildTopDown(set, settings, SampleChooser(axes, settings, depthLimit(settings, set.included.size())),
+                        report);
 }
 
 }  // namespace

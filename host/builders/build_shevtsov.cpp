@@ -14,7 +14,7 @@ namespace {
 class BinnedChooser {
   public:
     BinnedChooser(const BuildSettings& settings, uint32_t maxDepth)
-        : bins_(settings.bins), subsample_(settings.subsample), maxDepth_(maxDepth) {}
+        : bins_(settings.bins), subsample_(settings.subsample), snap_(settings.snap), maxDepth_(maxDepth) {}
 
     Split operator()(const NodeToSplit& node) {
         const auto n = static_cast<uint32_t>(node.refs.size());
@@ -27,13 +27,14 @@ class BinnedChooser {
         const uint32_t step = sampleStep(n, subsample_);
         fillBins(counted_, node.refs, boundsOf(node.refs), bins_, step);
         const Split best = bestBoundary(counted_, node, step);
-        if (best.axis == kLeafAxis) return best;
+        if (best.axis == kLeafAxis || !snap_) return best;
         gatherFaces(faces_, node, best.axis);
         return bestNear(faces_, node, best.position);
     }
 
     const uint32_t bins_;
     const bool subsample_;
+    const bool snap_;
     const uint32_t maxDepth_;
     Bins counted_;
     FacesAlong faces_;

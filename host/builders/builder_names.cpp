@@ -17,7 +17,7 @@ BuildOutcome outcomeOf(const TriangleSet& set, const BuildSettings& settings) {
 
 constexpr TreeBuilder kCpuBuilders[] = {
     {"exact", outcomeOf<buildExact>, "exact SAH with perfect splits (Wald and Havran 2006)"},
-    {"exact-nlog2n", outcomeOf<buildExactNLog2N>, "the same tree, with events sorted in each node"},
+    {"exact-nlog2n", outcomeOf<buildExactNLog2N>, "the same tree, with events sorted in each node (see --small-nodes)"},
     {"hunt-all", outcomeOf<buildHuntAll>,
      "SAH from 16 adaptive samples per axis, exact in small nodes (Hunt et al. 2006)"},
     {"hunt-hybrid", outcomeOf<buildHuntHybrid>, "the same, in nodes above 1024 references along the longest axis only"},

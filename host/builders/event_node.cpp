@@ -64,14 +64,16 @@ CountedArray<uint32_t> classify(EventBuild& build, const EventNode& node, const 
     return targets;
 }
 
-// Step 3: the events of the parts along an axis, sorted, with an end mark.
+// Step 3: the events of the parts along an axis, sorted, with an end mark; nothing if there are no parts.
 CountedArray<Event> partEvents(EventBuild& build, const Side& side, int axis) {
+    if (side.partCount == 0) return {};
     CountedArray<Event> events(2 * size_t{side.partCount} + 1, build.bytes);
     Event* end = events.data();
     for (uint32_t i = 0; i < side.partCount; ++i)
         end = writeEvents(end, side.node.refs[side.parts[i]].box, axis, side.parts[i]);
     const std::span<Event> sorted(events.data(), end);
-    CountedArray<Event> scratch(sorted.size(), build.bytes);
+    CountedArray<Event> scratch;
+    if (sorted.size() >= kScratchFrom) scratch = CountedArray<Event>(sorted.size(), build.bytes);
     sortEvents(sorted, scratch.data());
     *end = kAfterAllEvents;
     return events;
@@ -79,9 +81,11 @@ CountedArray<Event> partEvents(EventBuild& build, const Side& side, int axis) {
 
 // Where the merged events of a child are written, and the parts' events that wait to be merged.
 struct Stream {
-    Event* out;
+    Event* out = nullptr;
     const Event* waiting;
 
+    explicit Stream(const CountedArray<Event>& parts)
+        : waiting(parts.data() != nullptr ? parts.data() : &kAfterAllEvents) {}
     void mergeBelow(Event limit) {
         while (*waiting < limit) *out++ = *waiting++;
     }
@@ -93,7 +97,7 @@ void splice(EventBuild& build, const EventNode& node, const CountedArray<uint32_
             int axis) {
     const CountedArray<Event> leftParts = partEvents(build, sides[0], axis);
     const CountedArray<Event> rightParts = partEvents(build, sides[1], axis);
-    Stream streams[2] = {{nullptr, leftParts.data()}, {nullptr, rightParts.data()}};
+    Stream streams[2] = {Stream(leftParts), Stream(rightParts)};
     Event* begins[2];
     for (int i = 0; i < 2; ++i)
         streams[i].out = begins[i] =

@@ -46,8 +46,7 @@ Split sweepAlong(Split best, SahCosts costs, std::span<const Event> events, cons
 // References ascend and a reference has one event of a kind, so a stable sort by position and kind is the full order:
 // 34 bits, in three counting passes; by comparison where clearing the tables would cost more.
 void sortEvents(std::span<Event> events, Event* scratch) {
-    constexpr size_t kFewEvents = 3000;
-    if (events.size() < kFewEvents) {
+    if (events.size() < kScratchFrom) {
         std::sort(events.begin(), events.end());
         return;
     }

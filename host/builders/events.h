@@ -39,7 +39,11 @@ inline Event* writeEvents(Event* out, const Box& box, int axis, uint32_t ref) {
     return out;
 }
 
-// For events in the order that writeEvents gave for ascending references. `scratch` holds as many.
+// From so many events on, sorting them takes as much memory again.
+constexpr size_t kScratchFrom = 3000;
+
+// For events in the order that writeEvents gave for ascending references. `scratch` holds as many, or may be null below
+// kScratchFrom.
 void sortEvents(std::span<Event> events, Event* scratch);
 
 // n log2 n, the logarithm rounded up: what a sort of n events is counted as.

@@ -30,6 +30,26 @@ CLEAVE_INLINE Around nearestFaces(const FacesAlong& faces, float position) {
     return {highestOf(highest(below[0], below[1])), lowestOf(lowest(above[0], above[1]))};
 }
 
+// The best of some planes.
+template <int count>
+CLEAVE_INLINE Split bestOf(const FacesAlong& faces, const NodeToSplit& node, const float (&planes)[count]) {
+    Ints left[count] = {}, right[count] = {}, planar[count] = {};
+    for (size_t i = 0; i < faces.lo.size(); i += kLanes) {
+        const Floats lo = loadFloats(&faces.lo[i]), hi = loadFloats(&faces.hi[i]);
+        for (int k = 0; k < count; ++k) {
+            left[k] -= lo < planes[k];
+            right[k] -= hi > planes[k];
+            planar[k] -= (lo == planes[k]) & (hi == planes[k]);
+        }
+    }
+    Split best = noSplit();
+    for (int k = 0; k < count; ++k)
+        best =
+            betterOfBothSides(best, node.costs, node.cell, faces.axis, planes[k], static_cast<uint32_t>(sumOf(left[k])),
+                              static_cast<uint32_t>(sumOf(right[k])), static_cast<uint32_t>(sumOf(planar[k])));
+    return best;
+}
+
 }  // namespace
 
 CLEAVE_CLONES void gatherFaces(FacesAlong& faces, const NodeToSplit& node, uint32_t axis) {
@@ -54,22 +74,11 @@ CLEAVE_CLONES void gatherFaces(FacesAlong& faces, const NodeToSplit& node, uint3
 
 CLEAVE_CLONES Split bestNear(const FacesAlong& faces, const NodeToSplit& node, float position) {
     const Around around = nearestFaces(faces, position);
-    const float planes[3] = {around.below, position, around.above};
-    Ints left[3] = {}, right[3] = {}, planar[3] = {};
-    for (size_t i = 0; i < faces.lo.size(); i += kLanes) {
-        const Floats lo = loadFloats(&faces.lo[i]), hi = loadFloats(&faces.hi[i]);
-        for (int k = 0; k < 3; ++k) {
-            left[k] -= lo < planes[k];
-            right[k] -= hi > planes[k];
-            planar[k] -= (lo == planes[k]) & (hi == planes[k]);
-        }
-    }
-    Split best = noSplit();
-    for (int k = 0; k < 3; ++k)
-        best =
-            betterOfBothSides(best, node.costs, node.cell, faces.axis, planes[k], static_cast<uint32_t>(sumOf(left[k])),
-                              static_cast<uint32_t>(sumOf(right[k])), static_cast<uint32_t>(sumOf(planar[k])));
-    return best;
+    return bestOf<3>(faces, node, {around.below, position, around.above});
+}
+
+CLEAVE_CLONES Split bestAt(const FacesAlong& faces, const NodeToSplit& node, float position) {
+    return bestOf<1>(faces, node, {position});
 }
 
 }  // namespace cleave

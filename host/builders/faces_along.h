@@ -25,4 +25,7 @@ void gatherFaces(FacesAlong& faces, const NodeToSplit& node, uint32_t axis);
 // that face is the cell's own. No split if none of the three is strictly inside the cell.
 Split bestNear(const FacesAlong& faces, const NodeToSplit& node, float position);
 
+// The plane at the position itself, by true counts.
+Split bestAt(const FacesAlong& faces, const NodeToSplit& node, float position);
+
 }  // namespace cleave

@@ -46,7 +46,7 @@ CLEAVE_INLINE float lowestOf(Floats x) {
 
 // splitCost of shared/sah.h, operation by operation, with what does not change along an axis kept.
 struct AxisCost {
-    float lo, hi, face, rim, start, intersect;
+    float lo, hi, face, rim, start, intersect, leaf, emptyBonus;
 
     CLEAVE_INLINE AxisCost(SahCosts sah, const Box& cell, uint32_t axis)
         : lo(cell.lo[static_cast<int>(axis)]), hi(cell.hi[static_cast<int>(axis)]) {
@@ -55,6 +55,8 @@ struct AxisCost {
         face = cleave::flushed(a * b);
         rim = a + b;
         intersect = sah.intersect;
+        leaf = sah.leaf;
+        emptyBonus = sah.emptyBonus;
         start = sah.traverse * (cleave::flushed(rim * e[static_cast<int>(axis)]) + face);
     }
 
@@ -63,8 +65,8 @@ struct AxisCost {
         const Floats rightArea = flushed(rim * (hi - position)) + face;
         const Floats both =
             leftArea * __builtin_convertvector(left, Floats) + rightArea * __builtin_convertvector(right, Floats);
-        const Floats cost = start + intersect * both;
-        return (left == 0) | (right == 0) ? kEmptyBonus * cost : cost;
+        const Floats cost = start + intersect * both + leaf * (leftArea + rightArea);
+        return (left == 0) | (right == 0) ? emptyBonus * cost : cost;
     }
 
     CLEAVE_INLINE Ints isInside(Floats position) const { return (lo < position) & (position < hi); }

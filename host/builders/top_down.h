@@ -20,7 +20,7 @@ class TopDownBuilder {
     TopDownBuilder(const TriangleSet& set, const BuildSettings& settings, ChooseSplit chooseSplit, ByteCount& bytes)
         : set_(set),
           bytes_(bytes),
-          costs_(settings.costs),
+          costs_(splitCosts(settings)),
           clip_(settings.clip),
           maxDepth_(depthLimit(settings, set.included.size())),
           chooseSplit_(std::move(chooseSplit)) {}

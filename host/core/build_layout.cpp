@@ -111,8 +111,9 @@ BuildArgs buildArgs(const BuildInfo& info, VkDeviceAddress tree, const Range* sc
     a.maxDepth = info.maxDepth;
     a.clip = info.clip ? 1 : 0;
     a.subsample = info.subsample ? 1 : 0;
+    a.snap = info.snap ? 1 : 0;
     a.row = row;
-    a.costs = {info.costTraverse, info.costIntersect};
+    a.costs = {info.costTraverse, info.costIntersect, info.costLeaf, info.emptyBonus};
     a.invBinCount = 1.0f / static_cast<float>(info.bins);
     return a;
 }

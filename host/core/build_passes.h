@@ -1,8 +1,8 @@
 // The passes of a build, in the order in which they run: all that recording, twin and tests know of them.
 //
 // A row: the kernel (shaders/build/<kernel>.comp), its twin (host/twin), the member of Level that tells how many
-// workgroups it takes, how many lanes a workgroup has, what `scan` sums up. To add a pass means its .comp, its twin,
-// its test and its row.
+// workgroups it takes, how many lanes a workgroup has, what `scan` sums up, in which builds it runs. To add a pass
+// means its .comp, its twin, its test and its row.
 #pragma once
 
 #include <cstddef>
@@ -12,45 +12,51 @@
 namespace cleave {
 
 // Run once, over the triangles: sized like a level of one node with a reference per triangle.
-#define CLEAVE_SETUP_PASSES(ROW)                             \
-    ROW(find_scale, findScale, perRefBlock, wide, 0)         \
-    ROW(load_triangles, loadTriangles, perRefBlock, wide, 0) \
-    ROW(scan, scanTriangles, once, own, kScanTriangles)      \
-    ROW(make_refs, makeRefs, perRefBlock, wide, 0)           \
-    ROW(begin, begin, once, own, 0)
+#define CLEAVE_SETUP_PASSES(ROW)                                  \
+    ROW(find_scale, findScale, perRefBlock, wide, 0, all)         \
+    ROW(load_triangles, loadTriangles, perRefBlock, wide, 0, all) \
+    ROW(scan, scanTriangles, once, own, kScanTriangles, all)      \
+    ROW(make_refs, makeRefs, perRefBlock, wide, 0, all)           \
+    ROW(begin, begin, once, own, 0, all)
 
 // Run on every level.
-#define CLEAVE_LEVEL_PASSES(ROW)                              \
-    ROW(bounds, bounds, perChunk, narrow, 0)                  \
-    ROW(bin, bin, perChunk, narrow, 0)                        \
-    ROW(choose_split, chooseSplit, perChunk, narrow, 0)       \
-    ROW(nearest, nearest, perChunk, narrow, 0)                \
-    ROW(snap, snap, perChunkGroup, own, 0)                    \
-    ROW(exact_split, exactSplit, perRefBlock, wide, 0)        \
-    ROW(classify, classify, perRefBlock, narrow, 0)           \
-    ROW(scan, scanRefs, once, own, kScanRefs)                 \
-    ROW(offsets, offsets, perRefBlock, wide, 0)               \
-    ROW(count_children, countChildren, perNodeBlock, wide, 0) \
-    ROW(next_level, nextLevel, once, own, 0)                  \
-    ROW(emit_nodes, emitNodes, perNodeBlock, wide, 0)         \
-    ROW(partition, partition, perRefGroup, own, 0)
+#define CLEAVE_LEVEL_PASSES(ROW)                                   \
+    ROW(bounds, bounds, perChunk, narrow, 0, all)                  \
+    ROW(bin, bin, perChunk, narrow, 0, all)                        \
+    ROW(choose_split, chooseSplit, perChunk, narrow, 0, all)       \
+    ROW(nearest, nearest, perChunk, narrow, 0, snapping)           \
+    ROW(snap, snap, perChunkGroup, own, 0, snapping)               \
+    ROW(exact_split, exactSplit, perRefBlock, wide, 0, all)        \
+    ROW(classify, classify, perRefBlock, narrow, 0, all)           \
+    ROW(scan, scanRefs, once, own, kScanRefs, all)                 \
+    ROW(offsets, offsets, perRefBlock, wide, 0, all)               \
+    ROW(count_children, countChildren, perNodeBlock, wide, 0, all) \
+    ROW(next_level, nextLevel, once, own, 0, all)                  \
+    ROW(emit_nodes, emitNodes, perNodeBlock, wide, 0, all)         \
+    ROW(partition, partition, perRefGroup, own, 0, all)
 
 // Run once, at the end.
-#define CLEAVE_LAST_PASSES(ROW) ROW(finish_tree, finishTree, once, own, 0)
+#define CLEAVE_LAST_PASSES(ROW) ROW(finish_tree, finishTree, once, own, 0, all)
 
 // Lanes of a workgroup: the kernel's own number, or a specialisation constant that suits the device: a large one, or a
 // small one for kernels that need many registers, or whose lanes add to the same few counters.
 enum class Lanes { own, wide, narrow };
+
+// All builds, or those that move planes to faces.
+enum class Builds { all, snapping };
 
 struct BuildPass {
     const char* kernel;
     size_t groups;  // offset of its DispatchSize in Level
     Lanes lanes;
     uint32_t scans;
+    Builds builds;
+
+    bool runs(bool snap) const { return builds == Builds::all || snap; }
 };
 
-#define CLEAVE_BUILD_PASS(kernel, twin, groups, lanes, scans) \
-    BuildPass{#kernel, offsetof(Level, groups), Lanes::lanes, scans},
+#define CLEAVE_BUILD_PASS(kernel, twin, groups, lanes, scans, builds) \
+    BuildPass{#kernel, offsetof(Level, groups), Lanes::lanes, scans, Builds::builds},
 inline constexpr BuildPass kSetupPasses[] = {CLEAVE_SETUP_PASSES(CLEAVE_BUILD_PASS)};
 inline constexpr BuildPass kLevelPasses[] = {CLEAVE_LEVEL_PASSES(CLEAVE_BUILD_PASS)};
 inline constexpr BuildPass kLastPasses[] = {CLEAVE_LAST_PASSES(CLEAVE_BUILD_PASS)};

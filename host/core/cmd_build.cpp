@@ -83,7 +83,8 @@ void cmdBuild(VkCommandBuffer commands, const Context& context, const BuildInfo&
     for (const BuildPass& pass : kSetupPasses) build.once(pass, input);
     const uint32_t maxDepth = depthLimit(info.maxDepth, args.triangleCount);
     for (uint32_t depth = 0; depth <= maxDepth; depth++)
-        for (const BuildPass& pass : kLevelPasses) build.onLevel(pass, depth);
+        for (const BuildPass& pass : kLevelPasses)
+            if (pass.runs(info.snap)) build.onLevel(pass, depth);
     for (const BuildPass& pass : kLastPasses) build.once(pass, input);
 }
 

@@ -26,13 +26,17 @@ cleave::BuildSettings settingsOf(const BuildSettings& from) {
     requireWithin("maxDepth", from.maxDepth, 0, kMaxDepth);
     for (const float cost : {from.costTraverse, from.costIntersect})
         if (!(cost >= kLeastCost && cost <= kMostCost)) throw Error("costs of the SAH are from 0.001 to 1000");
+    if (!(from.costLeaf >= 0.0f && from.costLeaf <= kMostCost))
+        throw Error("the SAH's cost of a leaf is from 0 to 1000");
+    if (!(from.emptyBonus >= kLeastCost && from.emptyBonus <= 1.0f)) throw Error("emptyBonus is from 0.001 to 1");
     cleave::BuildSettings s;
-    s.costs = {from.costTraverse, from.costIntersect};
+    s.costs = {from.costTraverse, from.costIntersect, from.costLeaf, from.emptyBonus};
     s.bins = from.bins;
     s.exactUpTo = from.exactUpTo;
     s.maxDepth = from.maxDepth;
     s.clip = from.clip;
     s.subsample = from.subsample;
+    s.snap = from.snap;
     s.axes = static_cast<AxisChoice>(from.axes);
     s.leafSize = from.leafSize;
     s.threads = from.threads;

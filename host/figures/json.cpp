@@ -20,6 +20,8 @@ Json buildJson(const BuiltTree& built) {
             {"sahCost", numberJson(s.sahCost)},
             {"costTraverse", s.costs.traverse},
             {"costIntersect", s.costs.intersect},
+            {"costLeaf", s.costs.leaf},
+            {"emptyBonus", std::round(1e6 * double{s.costs.emptyBonus}) / 1e6},  // 0.8, not what is nearest to it
             {"treeHash", built.hash},
             {"nodes", s.nodes},
             {"leaves", s.leaves},

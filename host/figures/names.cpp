@@ -13,6 +13,7 @@ std::string nameIn(const std::array<std::pair<const char*, Value>, n>& table, Va
 }  // namespace
 
 std::string nameOf(Builder builder) { return std::string(builder.name); }
+std::string nameOf(AxisChoice axes) { return nameIn(kAxes, axes); }
 std::string nameOf(Traversal traversal) { return nameIn(kTraversals, traversal); }
 std::string nameOf(TriangleTest test) { return nameIn(kTriangleTests, test); }
 

@@ -1,4 +1,4 @@
-// Builders, traversals and triangle tests by name: as the command line takes them and as figures show them.
+// Builders, axes, traversals and triangle tests by name: as the command line takes them and as figures show them.
 #pragma once
 
 #include <array>
@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cleave/modes.hpp"
+#include "tree/kd_tree.h"
 
 namespace cleave {
 
@@ -20,6 +21,8 @@ inline constexpr Builder Builder::gpu{"gpu"};
 inline constexpr Builder Builder::twin{"twin"};
 inline constexpr Builder Builder::exact{"exact"};
 
+inline constexpr std::array<std::pair<const char*, AxisChoice>, 3> kAxes = {
+    {{"all", AxisChoice::all}, {"widest", AxisChoice::widest}, {"cycle", AxisChoice::cycle}}};
 inline constexpr std::array<std::pair<const char*, Traversal>, 3> kTraversals = {
     {{"restart", Traversal::restart}, {"stack", Traversal::stack}, {"short-stack", Traversal::shortStack}}};
 inline constexpr std::array<std::pair<const char*, TriangleTest>, 3> kTriangleTests = {
@@ -28,6 +31,7 @@ inline constexpr std::array<std::pair<const char*, TriangleTest>, 3> kTriangleTe
      {"unfiltered", TriangleTest::unfiltered}}};
 
 std::string nameOf(Builder builder);
+std::string nameOf(AxisChoice axes);
 std::string nameOf(Traversal traversal);
 std::string nameOf(TriangleTest test);
 

@@ -1,6 +1,8 @@
 // Measurements of a scene by `cleave bench --survey`.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,9 +16,8 @@
 
 namespace cleave {
 
-// One builder. Each vector has an entry per run, in ms, or none where that was not measured.
-struct SurveyBuilder {
-    Builder builder = Builder::exact;
+// A builder with some settings. Each vector has an entry per run, in ms, or none where that was not measured.
+struct SurveyVariant {
     std::vector<double> oneThread;   // builds with one thread; CPU builders only
     std::vector<double> oneCpu;      // the processor's time of these: others' load does not count
     std::vector<double> allThreads;  // with --threads; GPU: on the device
@@ -29,7 +30,31 @@ struct SurveyBuilder {
     CheckResult check;  // of the rays that were judged before any time was taken
 };
 
-// Counts of the exact builds, and how their tree's planes cut triangles.
+struct SurveyBuilder {
+    Builder builder = Builder::exact;
+    SurveyVariant ours;                 // with the settings that were asked for
+    std::optional<SurveyVariant> pure;  // without what goes beyond the survey; of builders that do
+};
+
+// A median builder's tree. Costs as of SurveyVariant, but of a part of its rays.
+struct MedianTree {
+    Builder builder;
+    AxisChoice axes;
+    uint32_t leafSize;
+    std::optional<double> sahCost;
+    double rayCost;
+    uint64_t references;
+};
+// The median builders with every rule of axes and several leaf sizes, and exact's costs.
+struct SurveyMedians {
+    std::optional<double> exactSahCost;
+    double exactRayCost = 0.0;
+    std::vector<MedianTree> trees;
+};
+// The leaf sizes that are tried.
+inline constexpr std::array<uint32_t, 4> kMedianLeafSizes{1, 4, 16, 64};
+
+// Counts of the exact builds when they sort in all nodes, and how their tree's planes cut triangles.
 struct SurveyComplexity {
     BuildReport once;     // exact
     BuildReport perNode;  // exact-nlog2n
@@ -44,6 +69,7 @@ struct SurveyScene {
     uint64_t triangles = 0;              // of the tree: those left out are not counted
     uint64_t rays = 0;                   // per set
     std::vector<SurveyBuilder> builders;
+    SurveyMedians medians;
     SurveyComplexity complexity;
 
     // Null if the builder was not measured.

@@ -1,6 +1,7 @@
 #include "figures/survey_tables.h"
 
 #include <cmath>
+#include <span>
 
 #include "base/text.h"
 #include "figures/timing.h"
@@ -20,8 +21,14 @@ struct Subject {
         if (scene == nullptr) return std::string(model->name);
         return scene->name + (scene->standsIn ? "*" : "");
     }
-    const SurveyBuilder* find(std::string_view builder) const {
-        return scene != nullptr ? scene->find(builder) : nullptr;
+    // Null if that was not measured.
+    const SurveyVariant* ours(std::string_view builder) const {
+        const SurveyBuilder* const found = scene != nullptr ? scene->find(builder) : nullptr;
+        return found != nullptr ? &found->ours : nullptr;
+    }
+    const SurveyVariant* pure(std::string_view builder) const {
+        const SurveyBuilder* const found = scene != nullptr ? scene->find(builder) : nullptr;
+        return found != nullptr && found->pure ? &*found->pure : nullptr;
     }
     Figure published(SurveyTable table, std::string_view builder) const {
         return model != nullptr ? publishedFigure(table, model->name, builder) : std::nullopt;
@@ -47,24 +54,24 @@ std::vector<Subject> subjectsOf(const std::vector<SurveyScene>& scenes, SurveyTa
 
 Figure medianIfAny(const std::vector<double>& runs) { return runs.empty() ? Figure() : medianOf(runs); }
 // Medians in ms; nothing for a builder that is not there.
-Figure oneThread(const SurveyBuilder* b) { return b != nullptr ? medianIfAny(b->oneThread) : Figure(); }
-Figure oneCpu(const SurveyBuilder* b) { return b != nullptr ? medianIfAny(b->oneCpu) : Figure(); }
-Figure allThreads(const SurveyBuilder* b) { return b != nullptr ? medianIfAny(b->allThreads) : Figure(); }
-Figure uploadTime(const SurveyBuilder* b) { return b != nullptr ? medianIfAny(b->upload) : Figure(); }
-Figure primaryTime(const SurveyBuilder* b) { return b != nullptr ? medianIfAny(b->primary) : Figure(); }
-Figure diffuseTime(const SurveyBuilder* b) { return b != nullptr ? medianIfAny(b->diffuse) : Figure(); }
-Figure sahCost(const SurveyBuilder* b) { return b != nullptr ? b->statistics.sahCost : Figure(); }
-Figure rayCost(const SurveyBuilder* b) { return b != nullptr ? Figure(b->rayCost) : Figure(); }
+Figure oneThread(const SurveyVariant* v) { return v != nullptr ? medianIfAny(v->oneThread) : Figure(); }
+Figure oneCpu(const SurveyVariant* v) { return v != nullptr ? medianIfAny(v->oneCpu) : Figure(); }
+Figure allThreads(const SurveyVariant* v) { return v != nullptr ? medianIfAny(v->allThreads) : Figure(); }
+Figure uploadTime(const SurveyVariant* v) { return v != nullptr ? medianIfAny(v->upload) : Figure(); }
+Figure primaryTime(const SurveyVariant* v) { return v != nullptr ? medianIfAny(v->primary) : Figure(); }
+Figure diffuseTime(const SurveyVariant* v) { return v != nullptr ? medianIfAny(v->diffuse) : Figure(); }
+Figure sahCost(const SurveyVariant* v) { return v != nullptr ? v->statistics.sahCost : Figure(); }
+Figure rayCost(const SurveyVariant* v) { return v != nullptr ? Figure(v->rayCost) : Figure(); }
 
-Figure rayTime(const SurveyBuilder* b) {
-    const Figure primary = primaryTime(b), diffuse = diffuseTime(b);
+Figure rayTime(const SurveyVariant* v) {
+    const Figure primary = primaryTime(v), diffuse = diffuseTime(v);
     return primary && diffuse ? Figure(*primary + *diffuse) : std::nullopt;
 }
 
 // From triangles to answered primary rays.
-Figure timeToImage(const SurveyBuilder* b) {
-    const Figure build = allThreads(b), primary = primaryTime(b);
-    return build && primary ? Figure(*build + uploadTime(b).value_or(0.0) + *primary) : std::nullopt;
+Figure timeToImage(const SurveyVariant* v) {
+    const Figure build = allThreads(v), primary = primaryTime(v);
+    return build && primary ? Figure(*build + uploadTime(v).value_or(0.0) + *primary) : std::nullopt;
 }
 
 Figure perCentMore(Figure value, Figure than) {
@@ -87,78 +94,122 @@ std::string labelAbove(const Subject& subject, std::string_view builder) {
     return builder == "exact" ? subject.label() : "";
 }
 
+void append(Row& row, const Row& more) { row.insert(row.end(), more.begin(), more.end()); }
+
 // Table 5.1.
 std::string exactTable(const std::vector<SurveyScene>& scenes) {
     constexpr SurveyTable kTable = SurveyTable::exactBuilds;
-    std::vector<Row> rows{{"model", "triangles", "N log^2 N cpu ms", "N log N cpu ms", "ratio", kBar, "triangles",
-                           "N log^2 N s", "N log N s", "ratio"}};
+    std::vector<Row> rows{{"model", "triangles", "pure lg^2", "pure lg", "ratio", "ours lg^2", "ours lg", "ratio", kBar,
+                           "lg^2 s", "lg s", "ratio"}};
+    const auto pair = [](Figure perNode, Figure once, int digits) {
+        return Row{fixed(perNode, digits), fixed(once, digits), fixed(ratio(perNode, once), 2)};
+    };
     for (const Subject& s : subjectsOf(scenes, kTable)) {
-        const Figure perNode = oneCpu(s.find("exact-nlog2n")), once = oneCpu(s.find("exact"));
-        const Figure hadPerNode = s.published(kTable, "exact-nlog2n"), hadOnce = s.published(kTable, "exact");
-        rows.push_back({s.label(), s.scene != nullptr ? grouped(s.scene->triangles) : "-", fixed(perNode, 1),
-                        fixed(once, 1), fixed(ratio(perNode, once), 2), kBar,
-                        std::string(s.model != nullptr ? s.model->triangles : "-"), fixed(hadPerNode, 2),
-                        fixed(hadOnce, 2), fixed(ratio(hadPerNode, hadOnce), 2)});
+        Row row{s.label(), s.scene != nullptr ? grouped(s.scene->triangles) : std::string(s.model->triangles)};
+        append(row, pair(oneCpu(s.pure("exact-nlog2n")), oneCpu(s.pure("exact")), 1));
+        append(row, pair(oneCpu(s.ours("exact-nlog2n")), oneCpu(s.ours("exact")), 1));
+        row.push_back(kBar);
+        append(row, pair(s.published(kTable, "exact-nlog2n"), s.published(kTable, "exact"), 2));
+        rows.push_back(row);
     }
-    return table("Table 5.1: the two exact builds, one thread | published (Wald and Havran 2006)", rows, 1);
+    return table(
+        "Table 5.1: cpu ms of N lg^2 N and N lg N builds, sorting in all nodes (pure) | published (Wald and Havran "
+        "2006)",
+        rows, 1);
 }
 
 // Table 6.1, and where threads help.
 std::string buildTable(const std::vector<SurveyScene>& scenes, uint32_t threads) {
     constexpr SurveyTable kTable = SurveyTable::huntBuilds;
     const std::string many = threadsText(threads);
-    std::vector<Row> rows{{"model", "builder", "1 thread cpu ms", "exact/it", many + " ms", "exact/it", "1 to " + many,
-                           kBar, "seconds", "exact/it"}};
+    std::vector<Row> rows{
+        {"model", "builder", "pure ms", "x", "ours ms", "x", many, "x", "1 over it", kBar, "seconds", "x"}};
     for (const Subject& s : subjectsOf(scenes, kTable))
         for (const std::string_view name : {"exact", "hunt-all", "hunt-hybrid", "hunt-one", "shevtsov"}) {
-            const SurveyBuilder *const b = s.find(name), *const exact = s.find("exact");
+            const SurveyVariant *const ours = s.ours(name), *const pure = s.pure(name), *const exact = s.ours("exact");
             const Figure published = s.published(kTable, name);
-            if (b == nullptr && !published) continue;
-            rows.push_back({labelAbove(s, name), std::string(name), fixed(oneCpu(b), 1),
-                            fixed(ratio(oneCpu(exact), oneCpu(b)), 2), fixed(allThreads(b), 1),
-                            fixed(ratio(allThreads(exact), allThreads(b)), 2),
-                            fixed(ratio(oneThread(b), allThreads(b)), 2), kBar, fixed(published, 2),
+            if (ours == nullptr && !published) continue;
+            rows.push_back({labelAbove(s, name), std::string(name), fixed(oneCpu(pure), 1),
+                            fixed(ratio(oneCpu(s.pure("exact")), oneCpu(pure)), 2), fixed(oneCpu(ours), 1),
+                            fixed(ratio(oneCpu(exact), oneCpu(ours)), 2), fixed(allThreads(ours), 1),
+                            fixed(ratio(allThreads(exact), allThreads(ours)), 2),
+                            fixed(ratio(oneThread(ours), allThreads(ours)), 2), kBar, fixed(published, 2),
                             fixed(ratio(s.published(kTable, "exact"), published), 2)});
         }
-    return table("Table 6.1: build time | published (Hunt et al. 2006)", rows, 2);
+    return table(
+        "Table 6.1: build, cpu ms of 1 thread, ms of " + many + "; x: exact's over it | published (Hunt et al. 2006)",
+        rows, 2);
 }
 
-// Table 6.2, and section 4's claim about medians.
+// Table 6.2.
 std::string renderingTable(const std::vector<SurveyScene>& scenes) {
     constexpr SurveyTable kTable = SurveyTable::huntRendering;
-    std::vector<Row> rows{{"model", "builder", "primary ms", "diffuse ms", "both +%", "ray cost +%", "SAH cost", "+%",
-                           "references", kBar, "+%"}};
+    std::vector<Row> rows{
+        {"model", "builder", "pure time", "cost", "SAH", "refs", "ours time", "cost", "SAH", "refs", kBar, "time"}};
+    const auto more = [](const SurveyVariant* v, const SurveyVariant* exact) {
+        return Row{fixed(perCentMore(rayTime(v), rayTime(exact)), 2), fixed(perCentMore(rayCost(v), rayCost(exact)), 2),
+                   fixed(perCentMore(sahCost(v), sahCost(exact)), 2),
+                   v != nullptr ? grouped(v->statistics.references) : "-"};
+    };
     for (const Subject& s : subjectsOf(scenes, kTable))
-        for (const std::string_view name :
-             {"exact", "hunt-all", "hunt-hybrid", "hunt-one", "shevtsov", "gpu", "spatial-median", "object-median"}) {
-            const SurveyBuilder *const b = s.find(name), *const exact = s.find("exact");
+        for (const std::string_view name : {"exact", "hunt-all", "hunt-hybrid", "hunt-one", "shevtsov", "gpu"}) {
             const Figure published = s.published(kTable, name);
-            if (b == nullptr && !published) continue;
-            rows.push_back({labelAbove(s, name), std::string(name), fixed(primaryTime(b), 1), fixed(diffuseTime(b), 1),
-                            fixed(perCentMore(rayTime(b), rayTime(exact)), 2),
-                            fixed(perCentMore(rayCost(b), rayCost(exact)), 2), fixed(sahCost(b), 2),
-                            fixed(perCentMore(sahCost(b), sahCost(exact)), 2),
-                            b != nullptr ? grouped(b->statistics.references) : "-", kBar, fixed(published, 2)});
+            if (s.ours(name) == nullptr && !published) continue;
+            Row row{labelAbove(s, name), std::string(name)};
+            append(row, more(s.pure(name), s.pure("exact")));
+            append(row, more(s.ours(name), s.ours("exact")));
+            append(row, {kBar, fixed(published, 2)});
+            rows.push_back(row);
         }
-    return table("Table 6.2: rendering, and what the trees cost, over exact's | published (Hunt et al. 2006)", rows, 2);
+    return table("Table 6.2: % over exact: time of rays, their cost by count, SAH cost | published (Hunt et al. 2006)",
+                 rows, 2);
 }
 
 // Table 7.1.
 std::string imageTable(const std::vector<SurveyScene>& scenes, uint32_t threads) {
     constexpr SurveyTable kTable = SurveyTable::shevtsovToImage;
-    std::vector<Row> rows{{"model", "builder", "build ms", "upload ms", "primary ms", "to image ms", "exact/it", kBar,
-                           "seconds", "exact/it"}};
+    std::vector<Row> rows{
+        {"model", "builder", "pure build", "to image", "x", "ours build", "to image", "x", kBar, "seconds", "x"}};
+    const auto times = [](const SurveyVariant* v, const SurveyVariant* exact) {
+        return Row{fixed(allThreads(v), 1), fixed(timeToImage(v), 1),
+                   fixed(ratio(timeToImage(exact), timeToImage(v)), 2)};
+    };
     for (const Subject& s : subjectsOf(scenes, kTable))
         for (const std::string_view name : {"exact", "shevtsov", "gpu"}) {
-            const SurveyBuilder* const b = s.find(name);
             const Figure published = s.published(kTable, name);
-            if (b == nullptr && !published) continue;
-            rows.push_back({labelAbove(s, name), std::string(name), fixed(allThreads(b), 1), fixed(uploadTime(b), 1),
-                            fixed(primaryTime(b), 1), fixed(timeToImage(b), 1),
-                            fixed(ratio(timeToImage(s.find("exact")), timeToImage(b)), 2), kBar, fixed(published, 3),
-                            fixed(ratio(s.published(kTable, "exact"), published), 1)});
+            if (s.ours(name) == nullptr && !published) continue;
+            Row row{labelAbove(s, name), std::string(name)};
+            append(row, times(s.pure(name), s.pure("exact")));
+            append(row, times(s.ours(name), s.ours("exact")));
+            append(row, {kBar, fixed(published, 3), fixed(ratio(s.published(kTable, "exact"), published), 1)});
+            rows.push_back(row);
         }
-    return table("Table 7.1: time to image, " + threadsText(threads) + " | published (Shevtsov et al. 2007)", rows, 2);
+    return table("Table 7.1: ms to build, upload and trace primary rays, " + threadsText(threads) +
+                     "; x: exact's over it | published (Shevtsov et al. 2007)",
+                 rows, 2);
+}
+
+// Section 4's claim about medians: a row per builder and rule of axes, a column per leaf size.
+std::string medianTable(const std::vector<SurveyScene>& scenes) {
+    Row head{"model", "builder", "axes"};
+    for (const std::string cost : {"SAH ", "rays "})
+        for (size_t i = 0; i < kMedianLeafSizes.size(); ++i)
+            head.push_back((i == 0 ? cost : "") + std::to_string(kMedianLeafSizes[i]));
+    std::vector<Row> rows{head};
+    for (const SurveyScene& scene : scenes) {
+        const SurveyMedians& medians = scene.medians;
+        for (size_t first = 0; first + kMedianLeafSizes.size() <= medians.trees.size();
+             first += kMedianLeafSizes.size()) {
+            const std::span<const MedianTree> trees(&medians.trees[first], kMedianLeafSizes.size());
+            Row row{first == 0 ? scene.name : "", nameOf(trees[0].builder), nameOf(trees[0].axes)};
+            for (const MedianTree& tree : trees)
+                row.push_back(fixed(perCentMore(tree.sahCost, medians.exactSahCost), 1));
+            for (const MedianTree& tree : trees)
+                row.push_back(fixed(perCentMore(tree.rayCost, medians.exactRayCost), 1));
+            rows.push_back(row);
+        }
+    }
+    return table("Section 4: medians by leaf size, % over exact: SAH cost, then cost of rays by count", rows, 3);
 }
 
 // Section 5: what one thread counted, over the growth that the survey says.
@@ -195,7 +246,7 @@ std::string footnotes(const std::vector<SurveyScene>& scenes) {
 
 std::string surveyTables(const std::vector<SurveyScene>& scenes, uint32_t threads) {
     return exactTable(scenes) + buildTable(scenes, threads) + renderingTable(scenes) + imageTable(scenes, threads) +
-           complexityTable(scenes) + footnotes(scenes);
+           medianTable(scenes) + complexityTable(scenes) + footnotes(scenes);
 }
 
 }  // namespace cleave

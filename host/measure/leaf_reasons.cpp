@@ -62,7 +62,7 @@ class Walk {
     Walk(const KdTree& tree, const TriangleSet& set, const BuildSettings& settings)
         : tree_(tree),
           set_(set),
-          costs_(settings.costs),
+          costs_(splitCosts(settings)),
           clip_(settings.clip),
           maxDepth_(depthLimit(settings, set.included.size())) {}
 

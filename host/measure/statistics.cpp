@@ -62,7 +62,8 @@ TreeStatistics computeStatistics(const KdTree& tree, SahCosts costs) {
         s.expectedInner = sums.inner / rootArea;
         s.expectedLeaves = sums.leaves / rootArea;
         s.expectedTriangles = sums.triangles / rootArea;
-        s.sahCost = double{costs.traverse} * *s.expectedInner + double{costs.intersect} * *s.expectedTriangles;
+        s.sahCost = double{costs.traverse} * *s.expectedInner + double{costs.leaf} * *s.expectedLeaves +
+                    double{costs.intersect} * *s.expectedTriangles;
     }
     return s;
 }

@@ -20,7 +20,7 @@ struct TreeStatistics {
     std::vector<uint64_t> depthHistogram;  // [d]: leaves at depth d, 0 to maxDepth
     // Survey section 4, for a uniformly distributed line that meets the root box; null if that box has no area.
     SahCosts costs = kDefaultCosts;
-    std::optional<double> sahCost;  // costs.traverse inner + costs.intersect triangles
+    std::optional<double> sahCost;  // costs.traverse inner + costs.leaf leaves + costs.intersect triangles
     std::optional<double> expectedInner;
     std::optional<double> expectedLeaves;
     std::optional<double> expectedTriangles;

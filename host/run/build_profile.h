@@ -35,7 +35,7 @@ struct BuildProfile {
 };
 
 // `ms`: what the arguments took, then every pass that cmdBuild() recorded (BuildInfo::onPass), in that order. `state`:
-// as the build left it.
-BuildProfile profileOf(std::span<const double> ms, const BuildState& state, uint32_t triangles);
+// as the build left it; `snap`: BuildInfo's.
+BuildProfile profileOf(std::span<const double> ms, const BuildState& state, uint32_t triangles, bool snap);
 
 }  // namespace cleave

@@ -12,13 +12,17 @@ namespace cleave {
 
 inline BuildInfo buildInfo(const BuildSettings& settings) {
     BuildInfo info;
-    info.costTraverse = settings.costs.traverse;
-    info.costIntersect = settings.costs.intersect;
+    const SahCosts costs = splitCosts(settings);
+    info.costTraverse = costs.traverse;
+    info.costIntersect = costs.intersect;
+    info.costLeaf = costs.leaf;
+    info.emptyBonus = costs.emptyBonus;
     info.bins = settings.bins;
     info.exactUpTo = settings.exactUpTo;
     info.maxDepth = settings.maxDepth;
     info.clip = settings.clip;
     info.subsample = settings.subsample;
+    info.snap = settings.snap;
     return info;
 }
 

@@ -27,6 +27,12 @@ void addLeaf(Hash& hash, const KdTree& tree, uint32_t node, std::vector<uint32_t
 
 }  // namespace
 
+SahCosts splitCosts(const BuildSettings& settings) {
+    SahCosts costs = settings.costs;
+    if (settings.stop == StopRule::equation41) costs.traverse = costs.leaf = 0.0f;
+    return costs;
+}
+
 uint32_t depthLimit(const BuildSettings& settings, uint64_t triangleCount) {
     return depthLimit(settings.maxDepth, static_cast<uint32_t>(std::min<uint64_t>(triangleCount, kMaxLink)));
 }

@@ -32,7 +32,10 @@ void chooseSplit(BuildArrays& a, uint32_t depth) {
     for (uint32_t c = 0; c < a.state.level[depth].chunkCount; c++) {
         BuildNode& node = a.nodesIn(depth)[a.chunks[c].node];
         if (node.chunk != c) continue;
-        node.split = bestBoundary(a, node);
+        const Split best = bestBoundary(a, node);
+        const bool keep =
+            a.args.snap != 0 || isWorthwhile(a.args.costs, best, node.cell, node.count, depth, a.state.maxDepth);
+        node.split = keep ? best : noSplit();
         a.nearest[c] = noFaces();
     }
 }

@@ -2,8 +2,8 @@
 
 namespace cleave::twin {
 
-#define CLEAVE_ROW(kernel, twin, groups, lanes, scans) \
-    Pass{{#kernel, offsetof(Level, groups), Lanes::lanes, scans}, twin},
+#define CLEAVE_ROW(kernel, twin, groups, lanes, scans, builds) \
+    Pass{{#kernel, offsetof(Level, groups), Lanes::lanes, scans, Builds::builds}, twin},
 
 std::span<const Pass> setupPasses() {
     static constexpr Pass kPasses[] = {CLEAVE_SETUP_PASSES(CLEAVE_ROW)};

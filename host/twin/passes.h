@@ -9,7 +9,7 @@
 
 namespace cleave::twin {
 
-#define CLEAVE_TWIN(kernel, twin, groups, lanes, scans) void twin(BuildArrays& a, uint32_t depth);
+#define CLEAVE_TWIN(kernel, twin, groups, lanes, scans, builds) void twin(BuildArrays& a, uint32_t depth);
 CLEAVE_SETUP_PASSES(CLEAVE_TWIN)
 CLEAVE_LEVEL_PASSES(CLEAVE_TWIN)
 CLEAVE_LAST_PASSES(CLEAVE_TWIN)

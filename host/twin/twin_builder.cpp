@@ -17,7 +17,8 @@ BuildArrays built(const TriangleSet& set, const BuildInfo& info) {
     for (const twin::Pass& pass : twin::setupPasses())
         if (pass.run != twin::findScale) pass.run(a, 0);
     for (uint32_t depth = 0; depth <= a.state.maxDepth && a.state.level[depth].nodeCount > 0; depth++)
-        for (const twin::Pass& pass : twin::levelPasses()) pass.run(a, depth);
+        for (const twin::Pass& pass : twin::levelPasses())
+            if (pass.row.runs(info.snap)) pass.run(a, depth);
     for (const twin::Pass& pass : twin::lastPasses()) pass.run(a, 0);
     return a;
 }

@@ -1,6 +1,6 @@
 #version 460
-// The best of a large node's bin boundaries by SAH, for `nearest` and `snap` to improve. A workgroup per chunk, of any
-// size that is a power of two; that of a node's first chunk acts.
+// The best of a large node's bin boundaries by SAH, for `nearest` and `snap` to improve; without these the split itself,
+// if it is worth it. A workgroup per chunk, of any size that is a power of two; that of a node's first chunk acts.
 #extension GL_GOOGLE_include_directive : require
 #include "lib/build.glsl"
 layout(local_size_x_id = 0) in;
@@ -52,6 +52,8 @@ void main() {
         if (i < others && isBetter(bests[i + others], bests[i])) bests[i] = bests[i + others];
     }
     if (i != 0u) return;
-    nodes.at[n].split = bests[0];
+    best = bests[0];
+    bool keep = args.snap != 0u || isWorthwhile(args.costs, best, node.cell, node.count, push.depth, args.state.at.maxDepth);
+    nodes.at[n].split = keep ? best : noSplit();
     args.nearest.at[c] = noFaces();
 }

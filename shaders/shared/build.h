@@ -217,11 +217,12 @@ struct BuildArgs {
     uint maxDepth;   // 0: by the formula
     uint clip;       // 0: boxes of straddling references are cut, not clipped
     uint subsample;  // 1: large nodes are binned by a part of their references
+    uint snap;       // 0: their planes stay between bins
     uint row;        // the most workgroups in a row of a dispatch
     float invBinCount;
     SahCosts costs;
 };
-CLEAVE_SIZE(BuildArgs, 224);
+CLEAVE_SIZE(BuildArgs, 240);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) buffer BuildArgsRef { BuildArgs at; };

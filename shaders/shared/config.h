@@ -5,23 +5,26 @@
 
 CLEAVE_BEGIN
 
-// Costs of the surface area heuristic, for every builder that uses it: of an inner node and of a triangle test. Wald
-// and Havran's (2006) by default.
+// What the surface area heuristic counts with, in every builder that uses it: the costs of an inner node, of a triangle
+// test and of a leaf (C_i, C_o and C_l of the survey, section 4), and the factor on the cost of a split that leaves a
+// side empty. Wald and Havran's (2006) by default, who know no cost of a leaf.
 struct SahCosts {
     float traverse;
     float intersect;
+    float leaf;
+    float emptyBonus;  // 1: none
 };
-CLEAVE_SIZE(SahCosts, 8);
+CLEAVE_SIZE(SahCosts, 16);
 CLEAVE_CONST float kLeastCost = 0.001f;
 CLEAVE_CONST float kMostCost = 1000.0f;
 CLEAVE_CONST float kCostTraverse = 15.0f;
 CLEAVE_CONST float kCostIntersect = 20.0f;
+CLEAVE_CONST float kCostLeaf = 0.0f;
+CLEAVE_CONST float kEmptyBonus = 0.8f;
 
 #ifdef __cplusplus
-constexpr SahCosts kDefaultCosts{kCostTraverse, kCostIntersect};
+constexpr SahCosts kDefaultCosts{kCostTraverse, kCostIntersect, kCostLeaf, kEmptyBonus};
 #endif
-
-CLEAVE_CONST float kEmptyBonus = 0.8f;  // multiplies the cost of a split that leaves a side empty
 
 // Greatest depth of a leaf. The restart trail has one bit per level of inner nodes in two words, and needs a spare one.
 CLEAVE_CONST uint kMaxDepth = 63u;

@@ -1,6 +1,6 @@
 // The surface area heuristic (survey, section 4), one text for GPU, twin and exact builder. Costs are multiplied out by
 // the node's area, since division differs between devices:
-//   cost * area = costTraverse area + costIntersect (area_L n_L + area_R n_R)
+//   cost * area = costTraverse area + costIntersect (area_L n_L + area_R n_R) + costLeaf (area_L + area_R)
 #ifndef CLEAVE_SHARED_SAH_H
 #define CLEAVE_SHARED_SAH_H
 #include "box.h"
@@ -40,10 +40,13 @@ CLEAVE_FN float halfArea(vec3 e) {
 CLEAVE_FN float leafCost(SahCosts costs, Box cell, uint count) {
     precise float area = halfArea(cell.hi - cell.lo);
     precise float cost = costs.intersect * float(count) * area;
+    precise float visit = costs.leaf * area;
+    cost = cost + visit;
     return cost;
 }
 
-// A child shares the extents a, b across the split axis, so half its surface is a b + (a + b) length.
+// A child shares the extents a, b across the split axis, so half its surface is a b + (a + b) length. Both children are
+// taken for leaves.
 CLEAVE_FN float splitCost(SahCosts costs, Box cell, uint axis, float position, uint leftCount, uint rightCount) {
     vec3 e = cell.hi - cell.lo;
     float a = axis == 0u ? e.y : e.x;
@@ -54,13 +57,18 @@ CLEAVE_FN float splitCost(SahCosts costs, Box cell, uint axis, float position, u
     precise float left = flushed(rim * (position - cell.lo[axis]));
     precise float right = flushed(rim * (cell.hi[axis] - position));
     whole = whole + face;
-    left = (left + face) * float(leftCount);
-    right = (right + face) * float(rightCount);
+    left = left + face;
+    right = right + face;
+    precise float visits = left + right;
+    left = left * float(leftCount);
+    right = right * float(rightCount);
     precise float both = left + right;
     precise float cost = costs.intersect * both;
     precise float start = costs.traverse * whole;
     cost = start + cost;
-    if (leftCount == 0u || rightCount == 0u) cost = kEmptyBonus * cost;
+    visits = costs.leaf * visits;
+    cost = cost + visits;
+    if (leftCount == 0u || rightCount == 0u) cost = costs.emptyBonus * cost;
     return cost;
 }
 
@@ -94,7 +102,7 @@ CLEAVE_FN Split betterOfBothSides(Split best, SahCosts costs, Box cell, uint axi
     return best;
 }
 
-// A node is split iff that costs less than its triangles. `depth` is the node's own.
+// A node is split iff that costs less than a leaf. `depth` is the node's own.
 CLEAVE_FN bool isWorthwhile(SahCosts costs, Split s, Box cell, uint count, uint depth, uint maxDepth) {
     return depth < maxDepth && collapsedAxes(cell) < 2u && s.cost < leafCost(costs, cell, count);
 }

@@ -190,6 +190,34 @@ TEST(Options, CostsOfTheHeuristic) {
         expectRefused({"info", "a.glb", "--cost-traverse", wrong}, "from 0.001 to 1000");
 }
 
+TEST(Options, RulesOfTheHeuristic) {
+    const BuildSettings given = parse({"info", "a.glb", "--cost-leaf", "2.5", "--empty-bonus", "1", "--stop", "sa-n",
+                                       "--snap", "off", "--other-axes", "off", "--small-nodes", "sort"})
+                                    .settings;
+    EXPECT_EQ(given.costs.leaf, 2.5f);
+    EXPECT_EQ(given.costs.emptyBonus, 1.0f);
+    EXPECT_EQ(given.stop, StopRule::equation41);
+    EXPECT_FALSE(given.snap);
+    EXPECT_FALSE(given.otherAxes);
+    EXPECT_EQ(given.smallNodes, SmallNodes::sort);
+    const BuildSettings none = parse({"info", "a.glb"}).settings;
+    EXPECT_EQ(none.costs.leaf, 0.0f);
+    EXPECT_EQ(none.costs.emptyBonus, 0.8f);
+    EXPECT_EQ(none.stop, StopRule::cost);
+    EXPECT_TRUE(none.snap);
+    EXPECT_TRUE(none.otherAxes);
+    EXPECT_EQ(none.smallNodes, SmallNodes::count);
+    EXPECT_EQ(parse({"info", "a.glb", "--cost-leaf", "0"}).settings.costs.leaf, 0.0f);
+    for (const char* wrong : {"-1", "1001", "nan", "x"})
+        expectRefused({"info", "a.glb", "--cost-leaf", wrong}, "from 0 to 1000");
+    for (const char* wrong : {"0", "1.01", "-0.5", "inf"})
+        expectRefused({"render", "--empty-bonus", wrong}, "from 0.001 to 1");
+    expectRefused({"render", "--stop", "never"}, "sah, sa-n");
+    expectRefused({"render", "--snap", "1"}, "on, off");
+    expectRefused({"render", "--other-axes", "all"}, "on, off");
+    expectRefused({"render", "--small-nodes", "scan"}, "count, sort");
+}
+
 TEST(Options, OptionsOfLaterAreNotTakenYet) {
     for (const char* option : {"--spp", "--time", "--frames", "--aperture"}) {
         expectRefused({"render", option, "4"}, option);

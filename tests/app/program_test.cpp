@@ -295,19 +295,33 @@ TEST_F(Program, BenchOfTheSurveyMeasuresEveryBuilder) {
     const Outcome outcome =
         runCleave({"bench", scene_, "--survey", "--runs", "2", "--check", "64", "--json", at("s.json")});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
-    for (const char* part : {"Table 5.1", "Table 6.1", "Table 6.2", "Table 7.1", "Section 5", "hunt-hybrid", "12.7m"})
+    for (const char* part :
+         {"Table 5.1", "Table 6.1", "Table 6.2", "Table 7.1", "Section 4", "Section 5", "hunt-hybrid", "12.7m"})
         EXPECT_NE(outcome.out.find(part), std::string::npos) << part << " in\n" << outcome.out;
     const Json report = reportOf("s.json");
     EXPECT_EQ(report["scene"]["triangles"], 1);
     EXPECT_TRUE(report["survey"]["model"].is_null());
-    ASSERT_GE(report["survey"]["builders"].size(), 8u);
+    ASSERT_EQ(report["survey"]["builders"].size(), 9u);
     for (const Json& builder : report["survey"]["builders"]) {
+        const bool isMedian = std::string(builder["builder"]).ends_with("median");
+        EXPECT_EQ(builder["pure"].is_null(), isMedian) << builder["builder"];
+        if (!isMedian) {
+            EXPECT_EQ(builder["pure"]["allThreadsMs"].size(), 2u);
+            EXPECT_EQ(builder["pure"]["check"]["mismatches"], 0);
+            EXPECT_EQ(builder["pure"]["treeHash"], builder["treeHash"]) << "one triangle";
+        }
         EXPECT_EQ(builder["allThreadsMs"].size(), 2u);
         EXPECT_EQ(builder["oneThreadMs"].size(), builder["builder"] == "gpu" ? 0u : 2u);
         EXPECT_EQ(builder["primaryMs"].size(), 2u);
         EXPECT_EQ(builder["check"]["rays"], 2 * 64);
         EXPECT_EQ(builder["check"]["mismatches"], 0);
     }
+    const Json& medians = report["survey"]["medians"];
+    EXPECT_EQ(medians["trees"].size(), 2u * 3 * 4);
+    EXPECT_EQ(medians["trees"][0]["axes"], "all");
+    EXPECT_EQ(medians["trees"][1]["leafSize"], 4);
+    EXPECT_EQ(medians["trees"][23]["builder"], "object-median");
+    EXPECT_EQ(medians["exactSahCost"], report["survey"]["builders"][0]["sahCost"]);
 }
 
 // Every row against the definition, by the rows of the file alone.

@@ -163,6 +163,60 @@ TEST(BuildHunt, HybridLooksAtAllAxesOfSmallNodesOnly) {
     EXPECT_EQ(nodeAxis(buildHuntOne(set, {}).nodes[0]), 2u);
 }
 
+// Of the root: whether its plane is a face of a box along its axis.
+bool rootIsAtAFace(const KdTree& tree, const TriangleSet& set) {
+    const int axis = static_cast<int>(nodeAxis(tree.nodes[0]));
+    const float plane = nodePosition(tree.nodes[0]);
+    return std::any_of(set.triangles.begin(), set.triangles.end(), [&](const Triangle& t) {
+        const Box box = triangleBox(t);
+        return box.lo[axis] == plane || box.hi[axis] == plane;
+    });
+}
+
+using Build = KdTree (*)(const TriangleSet&, const BuildSettings&, BuildReport*);
+
+TEST(BuildHunt, WithoutSnappingPlanesAreWhereTheInterpolationPutsThem) {
+    BuildSettings pure;
+    pure.snap = false;
+    for (uint32_t seed = 1; seed <= 20; ++seed) {
+        SCOPED_TRACE(seed);
+        const TriangleSet set = makeTriangleSet(test::soup(seed, 300, 0.05f));
+        for (const Build build : {buildHuntAll, buildHuntHybrid, buildHuntOne}) {
+            EXPECT_TRUE(rootIsAtAFace(build(set, {}, nullptr), set));
+            EXPECT_FALSE(rootIsAtAFace(build(set, pure, nullptr), set));
+        }
+    }
+}
+
+// Two clumps of cubes with nothing between: a plane anywhere in the gap costs the same, so that its first sample is
+// taken. The cell, 0 to 16, has uniform samples 16 / 9 apart. Up to the first of these left - right grows by half of
+// all that it grows, so that half of the eight adaptive ones come there, at fifths: at 3 / 5 of 16 / 9 the gap has
+// begun.
+TEST(BuildHunt, WithoutSnappingAGapIsCutAtASample) {
+    std::vector<Triangle> clumps;
+    for (uint32_t i = 0; i < 40; ++i)
+        for (const float x : {0.0f, 15.0f}) clumps.push_back({{x, 0, 0}, {x + 1, 1, 0}, {x + 0.5f, 0.5f, 1}});
+    const TriangleSet set = makeTriangleSet(clumps);
+    ASSERT_EQ(set.exponent, 5);
+    BuildSettings pure;
+    pure.snap = false;
+    EXPECT_EQ(nodePosition(buildHuntAll(set, {}).nodes[0]), 1.0f / 32.0f);
+    EXPECT_NEAR(nodePosition(buildHuntAll(set, pure).nodes[0]), 16.0f / 15.0f / 32.0f, 1e-6f);
+}
+
+TEST(BuildHunt, WithoutOtherAxesTheLongestAloneDecides) {
+    std::vector<Triangle> sheets;
+    for (uint32_t i = 0; i < 50; ++i) {
+        const float z = 0.01f * static_cast<float>(i);
+        sheets.push_back({{0, 0, z}, {1, 0, z}, {1, 0.8f, z}});
+    }
+    const TriangleSet set = makeTriangleSet(sheets);
+    BuildSettings pure;
+    pure.otherAxes = false;
+    EXPECT_EQ(buildHuntOne(set, pure).nodes.size(), 1u);
+    EXPECT_EQ(treeHash(buildHuntAll(set, pure)), treeHash(buildHuntAll(set, {})));
+}
+
 // Sheets that fill the cell's longest side cannot be split along it: then the others are tried.
 TEST(BuildHunt, OneAxisTurnsToOthersWhereTheLongestHasNoSplit) {
     std::vector<Triangle> sheets;

@@ -91,6 +91,24 @@ TEST(BuildShevtsov, SubsamplingChangesLittle) {
     EXPECT_NEAR(costOf(sampled), costOf(full), 0.05 * costOf(full));
 }
 
+// The root's bins span the scene. One thread: no cut for others comes before.
+TEST(BuildShevtsov, WithoutSnappingPlanesAreBoundariesOfBins) {
+    for (uint32_t seed = 1; seed <= 20; ++seed) {
+        SCOPED_TRACE(seed);
+        const TriangleSet set = makeTriangleSet(test::soup(seed, 2000, 0.02f));
+        BuildSettings settings = withThreads(1);
+        const auto isBoundary = [&](const KdTree& tree) {
+            const int axis = static_cast<int>(nodeAxis(tree.nodes[0]));
+            const double lo = set.bounds.lo[axis], width = (double{set.bounds.hi[axis]} - lo) / kBins;
+            const double bins = (nodePosition(tree.nodes[0]) - lo) / width;
+            return std::fabs(bins - std::round(bins)) < 1e-4;
+        };
+        EXPECT_FALSE(isBoundary(buildShevtsov(set, settings)));
+        settings.snap = false;
+        EXPECT_TRUE(isBoundary(buildShevtsov(set, settings)));
+    }
+}
+
 TEST(BuildShevtsov, LooksAtEveryReferenceOfTheLogarithm) {
     const uint32_t expected[][2] = {{0, 1},        {9, 1},        {10, 1},      {99, 1},     {100, 2},
                                     {999, 2},      {1000, 3},     {99999, 4},   {100000, 5}, {9999999, 6},

@@ -35,14 +35,21 @@ void expectIdentical(const KdTree& a, const KdTree& b) {
     }
 }
 
+// Both exact builders, counting and sorting in small nodes, with one thread and several.
 void expectSameFromAll(const std::vector<Triangle>& triangles, BuildSettings settings = {}) {
     const TriangleSet set = makeTriangleSet(triangles);
+    settings.smallNodes = SmallNodes::sort;
     const KdTree expected = buildExactNLog2N(set, settings);
     EXPECT_TRUE(validate(expected, set, depthLimit(settings, set.included.size())).ok());
-    for (const uint32_t threads : {1u, 2u, 3u}) {
-        SCOPED_TRACE(threads);
-        settings.threads = threads;
-        expectIdentical(buildExact(set, settings), expected);
+    for (const SmallNodes small : {SmallNodes::count, SmallNodes::sort}) {
+        SCOPED_TRACE(small == SmallNodes::count ? "counting" : "sorting");
+        settings.smallNodes = small;
+        expectIdentical(buildExactNLog2N(set, settings), expected);
+        for (const uint32_t threads : {1u, 2u, 3u}) {
+            SCOPED_TRACE(threads);
+            settings.threads = threads;
+            expectIdentical(buildExact(set, settings), expected);
+        }
     }
 }
 
@@ -176,6 +183,26 @@ TEST(Events, SweepFindsTheBestOfAllFaces) {
 }
 
 // What the builds of a sheet of 2 n^2 triangles took, per triangle.
+// What is counted is swept without a sort; a root of 64 references is counted in whole.
+TEST(ExactBuilders, SortSmallNodesWhereAsked) {
+    const TriangleSet set = makeTriangleSet(test::soup(3, 64, 0.2f));
+    BuildSettings settings;
+    settings.threads = 1;
+    BuildReport once[2], perNode[2];
+    for (const SmallNodes small : {SmallNodes::count, SmallNodes::sort}) {
+        settings.smallNodes = small;
+        const size_t i = small == SmallNodes::count ? 0 : 1;
+        buildExact(set, settings, &once[i]);
+        buildExactNLog2N(set, settings, &perNode[i]);
+        EXPECT_EQ(once[i].eventsSwept, perNode[0].eventsSwept);
+        EXPECT_EQ(perNode[i].eventsSwept, perNode[0].eventsSwept);
+    }
+    EXPECT_EQ(perNode[0].sortSteps, 0u);
+    EXPECT_EQ(once[0].sortSteps, 3 * sortSteps(128)) << "the root's events, which are sorted in any case";
+    EXPECT_GT(once[1].sortSteps, once[0].sortSteps) << "and those of parts";
+    EXPECT_GT(perNode[1].sortSteps, once[1].sortSteps);
+}
+
 struct Work {
     double swept, sortedOnce, sortedPerNode, bytes, straddling;
 };
@@ -184,6 +211,7 @@ Work workOf(uint32_t n) {
     const TriangleSet set = makeTriangleSet(wavySheet(n));
     BuildSettings settings;
     settings.threads = 1;
+    settings.smallNodes = SmallNodes::sort;
     BuildReport once, perNode;
     const KdTree tree = buildExact(set, settings, &once);
     buildExactNLog2N(set, settings, &perNode);

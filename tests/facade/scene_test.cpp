@@ -174,15 +174,18 @@ TEST_F(SceneTest, MistakesAreRefusedInSentences) {
     const Tree tree = mesh.build("brute");
     const std::vector<TraceHit> hits(rays_.size() - 1);
     const std::vector<uint32_t> twice{3, 3}, beyond{3, 600};
-    BuildSettings bins, exactUpTo, maxDepth, memory;
+    BuildSettings bins, exactUpTo, maxDepth, memory, costLeaf, emptyBonus, noBonus;
     bins.bins = 33;
     exactUpTo.exactUpTo = 1025;
     maxDepth.maxDepth = 64;
     memory.memory = 1;
+    costLeaf.costLeaf = -1.0f;
+    emptyBonus.emptyBonus = 1.5f;
+    noBonus.emptyBonus = NAN;
     EXPECT_NE(failure([&] { mesh.build("best"); }).find("gpu, twin, exact"), std::string::npos);
     EXPECT_NE(failure([&] { mesh.build("gpu", {}, twice); }), "");
     EXPECT_NE(failure([&] { mesh.build("exact", {}, beyond); }), "");
-    for (const BuildSettings& settings : {bins, exactUpTo, maxDepth, memory})
+    for (const BuildSettings& settings : {bins, exactUpTo, maxDepth, memory, costLeaf, emptyBonus, noBonus})
         EXPECT_NE(failure([&] { mesh.build("gpu", settings); }), "");
     EXPECT_NE(failure([&] { tree.trace(rays_, {}, hits); }), "");
     EXPECT_NE(failure([&] { mesh.judge(rays_, hits, Query::closest, 1); }), "");

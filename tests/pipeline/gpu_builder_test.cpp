@@ -1,6 +1,7 @@
 // The GPU builder as a whole: the same tree as its twin, in every run, and a valid one.
 #include <gtest/gtest.h>
 
+#include "builders/builders.h"
 #include "judge/validate.h"
 #include "run/gpu_builder.h"
 #include "support/device.h"
@@ -76,6 +77,68 @@ TEST(GpuBuilder, EqualsTwinOnMadeScenes) {
         settings.maxDepth = 9;
         expectTwinsTree(mixedTriangles(n, n + 6), settings);
     }
+}
+
+// What the heuristic counts with and what moves its planes, one after the other and all together.
+std::vector<BuildSettings> rulesOfTheHeuristic() {
+    std::vector<BuildSettings> rules(5);
+    rules[0].snap = false;
+    rules[1].costs.leaf = 7.5f;
+    rules[2].costs.emptyBonus = 1.0f;
+    rules[3].stop = StopRule::equation41;
+    rules[4] = {.costs = {11.0f, 17.0f, 3.0f, 0.6f}, .exactUpTo = 20, .subsample = false, .snap = false};
+    return rules;
+}
+
+TEST(GpuBuilder, EqualsTwinUnderEveryRuleOfTheHeuristic) {
+    const std::vector<Triangle> world = mixedTriangles(5000, 21);
+    std::string before = treeHash(buildTwin(makeTriangleSet(world), BuildSettings{}).tree);
+    for (const BuildSettings& settings : rulesOfTheHeuristic()) {
+        const std::string hash = treeHash(readBack(*expectTwinsTree(world, settings).tree));
+        EXPECT_NE(hash, before) << "the rule changes nothing";
+        before = hash;
+    }
+}
+
+// Up to exactUpTo references the twin goes by the same costs as the exact builder on the CPU.
+TEST(GpuBuilder, KeepsTheRulesOfTheExactBuilder) {
+    for (const BuildSettings& settings : rulesOfTheHeuristic())
+        for (uint32_t seed = 1; seed <= 5; seed++) {
+            SCOPED_TRACE(seed);
+            const TriangleSet set = mixedSet(20, seed);
+            EXPECT_EQ(treeHash(buildTwin(set, settings).tree), treeHash(buildExact(set, settings)));
+        }
+}
+
+// A root of 4,000 references is binned: its plane is one of the 31 between bins, which span the scene.
+TEST(GpuBuilder, WithoutSnappingPlanesAreBoundariesOfBins) {
+    const TriangleSet set = mixedSet(4000, 2);
+    BuildSettings settings;
+    settings.snap = false;
+    const KdTree tree = buildTwin(set, settings).tree;
+    const int axis = static_cast<int>(nodeAxis(tree.nodes[0]));
+    const double lo = set.bounds.lo[axis], width = (double{set.bounds.hi[axis]} - lo) / kBins;
+    const double bins = (nodePosition(tree.nodes[0]) - lo) / width;
+    EXPECT_NEAR(bins, std::round(bins), 1e-4);
+}
+
+// Passes that do nothing are not recorded, and a profile knows.
+TEST(GpuBuilder, LeavesOutWhatSnapsWhereNothingDoes) {
+    const std::vector<Triangle> world = mixedTriangles(3000, 5);
+    const DeviceTriangles triangles(device(), world);
+    GpuBuilder builder(device());
+    BuildSettings settings;
+    settings.snap = false;
+    builder.build(triangles, settings);
+    const BuildProfile profile = builder.profile(triangles, settings);
+    uint64_t nodes = 0;
+    for (const LevelWork& level : profile.levels) nodes += level.nodes;
+    EXPECT_EQ(nodes, profile.nodes);
+    for (const PassWork& pass : profile.passes) {
+        EXPECT_NE(pass.name, "nearest");
+        EXPECT_NE(pass.name, "snap");
+    }
+    EXPECT_EQ(profile.passes.back().name, "finish_tree");
 }
 
 TEST(GpuBuilder, EqualsTwinOnSceneFiles) {

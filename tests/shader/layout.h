@@ -68,8 +68,9 @@ struct LayoutRecord {
     UINT(buildArgs.triangleCount) UINT(buildArgs.numberCount) UINT(buildArgs.geometryCount)                      \
     UINT(buildArgs.refCapacity) UINT(buildArgs.levelNodeCapacity) UINT(buildArgs.nodeCapacity)                   \
     UINT(buildArgs.leafRefCapacity) UINT(buildArgs.binCount) UINT(buildArgs.exactUpTo) UINT(buildArgs.maxDepth)  \
-    UINT(buildArgs.clip) UINT(buildArgs.subsample) UINT(buildArgs.row) FLOAT(buildArgs.invBinCount)              \
-    FLOAT(buildArgs.costs.traverse) FLOAT(buildArgs.costs.intersect)                                             \
+    UINT(buildArgs.clip) UINT(buildArgs.subsample) UINT(buildArgs.snap) UINT(buildArgs.row)                      \
+    FLOAT(buildArgs.invBinCount) FLOAT(buildArgs.costs.traverse) FLOAT(buildArgs.costs.intersect)                \
+    FLOAT(buildArgs.costs.leaf) FLOAT(buildArgs.costs.emptyBonus)                                                \
     ADDRESS(pictureArgs.state, PictureStateRef) ADDRESS(pictureArgs.tree, Tree)                                  \
     ADDRESS(pictureArgs.triangles, TriangleArray) ADDRESS(pictureArgs.materialOf, UintArray)                     \
     ADDRESS(pictureArgs.baseColours, ColourArray) DOUBLE(pictureArgs.camera.pixel) UINT(pictureArgs.view)        \

@@ -29,6 +29,18 @@ TEST(Sah, costsAreAreasTimesCounts) {
     EXPECT_EQ(splitCost(kDefaultCosts, kCell, 2u, 1.5f, 1u, 1u), 15.0f * 68.0f + 20.0f * (61.0f + 47.0f));
 }
 
+// The halves of the cell have 26 + 50 at x = 3, whatever is in them; a leaf has the cell's 68.
+TEST(Sah, leavesCostByTheirAreas) {
+    const SahCosts costs{15.0f, 20.0f, 6.0f, 0.5f};
+    EXPECT_EQ(leafCost(costs, kCell, 7u), 20.0f * 7.0f * 68.0f + 6.0f * 68.0f);
+    EXPECT_EQ(leafCost(costs, kCell, 0u), 6.0f * 68.0f);
+    const float halves = 15.0f * 68.0f + 6.0f * (26.0f + 50.0f);
+    EXPECT_EQ(splitCost(costs, kCell, 0u, 3.0f, 5u, 2u), halves + 20.0f * (26.0f * 5.0f + 50.0f * 2.0f));
+    EXPECT_EQ(splitCost(costs, kCell, 0u, 3.0f, 0u, 2u), 0.5f * (halves + 20.0f * 50.0f * 2.0f)) << "and the bonus";
+    const SahCosts none{15.0f, 20.0f, 6.0f, 1.0f};
+    EXPECT_EQ(splitCost(none, kCell, 0u, 3.0f, 0u, 2u), halves + 20.0f * 50.0f * 2.0f) << "no bonus";
+}
+
 TEST(Sah, costsDependOnExtentsOnly) {
     const Box moved{{-6, 32, 64}, {4, 36, 66}};
     EXPECT_EQ(splitCost(kDefaultCosts, moved, 0u, -3.0f, 5u, 2u), splitCost(kDefaultCosts, kCell, 0u, 3.0f, 5u, 2u));

@@ -90,6 +90,12 @@ TEST(Statistics, WorkedByHand) {
     EXPECT_DOUBLE_EQ(s.sahCost.value(), 15.0 * 1.8 + 20.0 * 1.5);
 }
 
+TEST(Statistics, CostNamesItsConstants) {
+    const TreeStatistics s = computeStatistics(smallTree(), {2.0f, 3.0f, 5.0f, 0.5f});
+    EXPECT_DOUBLE_EQ(s.sahCost.value(), 2.0 * 1.8 + 5.0 * 1.5 + 3.0 * 1.5);
+    EXPECT_EQ(s.costs.leaf, 5.0f);
+}
+
 TEST(Statistics, CostIsNullWithoutArea) {
     KdTree tree = smallTree();
     tree.bounds = {{0, 0, 0}, {4, 0, 0}};

@@ -25,7 +25,7 @@ namespace cleave {
 
 // Versions of this interface, of the bytes of a tree, and of the answers: the last is raised whenever a bit of a hit
 // may change.
-inline constexpr uint32_t kApiVersion = 3;
+inline constexpr uint32_t kApiVersion = 4;
 inline constexpr uint32_t kTreeFormat = 2;
 inline constexpr uint32_t kAnswersVersion = 1;
 
@@ -53,8 +53,8 @@ struct ContextInfo {
     bool builds = true;
     // The most workgroups in a row of a dispatch; 0: 65535, which every device takes. Tests make it tiny.
     uint32_t longestRow = 0;
-    // Lanes of the workgroups that build, a power of two from 8 to 256; 0: what suits the device. Trees do not depend on
-    // it. Tests ask for what other devices have.
+    // Lanes of the workgroups that build, a power of two from 8 to 256; 0: what suits the device. Trees do not depend
+    // on it. Tests ask for what other devices have.
     uint32_t groupLanes = 0;
 };
 
@@ -125,15 +125,19 @@ struct BuildInfo {
     VkDeviceAddress list = 0;
     uint32_t listCount = 0;
 
-    // Of an inner node and of a triangle test, in the surface area heuristic: positive, finite.
+    // Of an inner node, of a triangle test and of a leaf, in the surface area heuristic: finite, of a test positive, of
+    // the others 0 or more. Without either a node is split wherever areas times triangles shrink.
     float costTraverse = 15.0f;
     float costIntersect = 20.0f;
+    float costLeaf = 0.0f;
+    float emptyBonus = 0.8f;  // on the cost of a split that leaves a side empty; above 0, at most 1
 
     uint32_t bins = 32;        // per axis, 2 to 32
     uint32_t exactUpTo = 160;  // nodes of at most so many references are split by exact SAH; at most 1024
     uint32_t maxDepth = 0;     // of a leaf, at most 63; 0: round(8 + 1.3 log2 n)
     bool clip = true;          // clips straddling triangles to both cells
     bool subsample = true;     // bins every l-th reference of a large node, l = max(1, floor(log10 n))
+    bool snap = true;          // moves the plane of a large node from the boundary of bins to a face of a box beside it
     Capacity capacity;
     // The largest range of memory that the caller can give, e.g. maxMemoryAllocationSize; 0: any. Scratch that is
     // larger comes in several ranges. The tree and the largest scratch array must fit in one.
@@ -177,9 +181,9 @@ struct TreeHeader {
     int32_t exponent;    // world = scaled * 2^exponent
     float lo[3];         // bounds of the root cell, scaled
     float hi[3];
-    Capacity wanted;            // what the build would have needed, where that was more than it had; else 0
-    uint64_t bytes;             // of the tree without slack: what cmdCompact() needs
-    uint64_t wantedBytes;       // of a tree with `wanted`; 0 where the capacity sufficed
+    Capacity wanted;       // what the build would have needed, where that was more than it had; else 0
+    uint64_t bytes;        // of the tree without slack: what cmdCompact() needs
+    uint64_t wantedBytes;  // of a tree with `wanted`; 0 where the capacity sufficed
     uint32_t reserved[2];
     VkDeviceAddress triangles;  // 40 bytes each: the vertices, scaled, and the number
     VkDeviceAddress nodes;      // 8 bytes each
