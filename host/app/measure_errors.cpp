@@ -57,17 +57,27 @@ Subject withCost(Builder builder, float intersect, const BuildSettings& defaults
 std::vector<Subject> variants(const BuildSettings& defaults) {
     std::vector<Subject> all;
     for (const Builder builder : {Builder::gpu, Builder{"shevtsov"}}) {
-        for (const uint32_t bins : {8u, 16u})
-            all.push_back(variant(builder, "bins " + std::to_string(bins), defaults,
-                                  [bins](BuildSettings& s) { s.bins = bins; }));
+        for (const uint32_t bins : {8u, 16u, 128u, 512u})
+            if (bins <= kBins || builder != Builder::gpu)
+                all.push_back(variant(builder, "bins " + std::to_string(bins), defaults,
+                                      [bins](BuildSettings& s) { s.bins = bins; }));
         all.push_back(variant(builder, "subsample off", defaults, [](BuildSettings& s) { s.subsample = false; }));
     }
     for (const uint32_t size : {0u, 32u, 256u})
         all.push_back(variant(Builder::gpu, "exact-up-to " + std::to_string(size), defaults,
                               [size](BuildSettings& s) { s.exactUpTo = size; }));
     for (const Builder builder :
-         {Builder::exact, Builder::gpu, Builder{"hunt-all"}, Builder{"hunt-one"}, Builder{"shevtsov"}})
+         {Builder::exact, Builder::gpu, Builder{"hunt-all"}, Builder{"hunt-one"}, Builder{"shevtsov"}}) {
         all.push_back(variant(builder, "clip off", defaults, [](BuildSettings& s) { s.clip = false; }));
+        if (builder == Builder::exact) {
+            all.push_back(
+                variant(builder, "stop sa-n", defaults, [](BuildSettings& s) { s.stop = StopRule::equation41; }));
+            all.push_back(
+                variant(builder, "empty-bonus 1", defaults, [](BuildSettings& s) { s.costs.emptyBonus = 1.0f; }));
+        } else {
+            all.push_back(variant(builder, "snap off", defaults, [](BuildSettings& s) { s.snap = false; }));
+        }
+    }
     for (const float cost : {5.0f, 10.0f, 40.0f}) all.push_back(withCost(Builder::gpu, cost, defaults));
     for (const Builder builder : {Builder{"object-median"}, Builder{"spatial-median"}}) {
         for (const uint32_t size : {2u, 8u, 16u})

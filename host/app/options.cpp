@@ -183,7 +183,9 @@ void addBuild(CLI::App& app, Options& options, bool several) {
         app, "--memory", "SIZE", "bytes that a build may use, for example 512M or 2G", parseBytes,
         [&settings](uint64_t bytes) { settings.memory = bytes; }, "a size, for example 512M or 2G");
     addHeuristic(app, settings);
-    addWhole(app, "--bins", "bins per axis (" + std::to_string(kBins) + ")", settings.bins, 2, kBins);
+    addWhole(app, "--bins",
+             "bins per axis (" + std::to_string(kBins) + "; shevtsov up to " + std::to_string(kMostBins) + ")",
+             settings.bins, 2, kMostBins);
     addNamed(app, "--subsample", "bin every l-th reference of large nodes, l = max(1, floor(log10 n))",
              settings.subsample, kSwitch);
     addNamed(app, "--snap", "move sampled and binned planes to a face of a box beside them", settings.snap, kSwitch);
@@ -370,6 +372,11 @@ void complete(Options& options) {
         for (size_t j = 0; j < i; ++j)
             if (options.scenes[i].lexically_normal() == options.scenes[j].lexically_normal())
                 throw UsageError("SCENE: '" + options.scenes[i].string() + "' is given twice");
+    const auto hasFewBins = [](Builder builder) { return builder == Builder::gpu || builder == Builder::twin; };
+    if (options.settings.bins > kBins &&
+        (options.builders.empty() || std::any_of(options.builders.begin(), options.builders.end(), hasFewBins)))
+        throw UsageError("--bins: gpu and twin have at most " + std::to_string(kBins) + "; for " +
+                         std::to_string(options.settings.bins) + " name another --builder");
     const bool writes = options.command == Command::render || options.command == Command::trace;
     if (writes && options.json && options.json->lexically_normal() == options.output.lexically_normal())
         throw UsageError("--json and -o name the same file");

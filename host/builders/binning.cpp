@@ -55,7 +55,7 @@ CLEAVE_INLINE void tryBoundaries(LaneBest& best, const Bins& counted, const Node
                                  uint32_t step) {
     const BinRange& range = counted.range[axis];
     const auto n = static_cast<uint32_t>(node.refs.size());
-    alignas(32) uint32_t left[kBins + kLanes], right[kBins + kLanes];
+    alignas(32) uint32_t left[kMostBins + kLanes], right[kMostBins + kLanes];
     uint32_t sum = 0;
     for (uint32_t b = 1; b < range.count; ++b) {
         sum += counted.starts(axis)[b - 1];
@@ -96,7 +96,7 @@ CLEAVE_CLONES void fillBins(Bins& counted, std::span<const ClippedRef> refs, con
     const float inverse = 1.0f / static_cast<float>(bins);
     for (int axis = 0; axis < 3; ++axis)
         counted.range[axis] = binRange(bounds.lo[axis], bounds.hi[axis], bins, inverse);
-    std::memset(counted.counts, 0, sizeof counted.counts);
+    for (uint32_t(&row)[kMostBins] : counted.counts) std::memset(row, 0, bins * sizeof row[0]);
     const BinIndices indices(counted.range);
     for (size_t i = 0; i < refs.size(); i += step) {
         const Ints bin = indices.at(facesOf(refs[i]));

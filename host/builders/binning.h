@@ -11,7 +11,7 @@ namespace cleave {
 // The counters of one node: starts along x, y, z, then ends.
 struct Bins {
     BinRange range[3];
-    uint32_t counts[6][kBins];
+    uint32_t counts[6][kMostBins];
 
     const uint32_t* starts(uint32_t axis) const { return counts[axis]; }
     const uint32_t* ends(uint32_t axis) const { return counts[axis + 3]; }
@@ -20,7 +20,7 @@ struct Bins {
 // The bounds of the references' boxes; empty if there are none.
 Box boundsOf(std::span<const ClippedRef> refs);
 
-// Counts every `step`-th reference into `bins` bins per axis, 2 to kBins, that span `bounds`.
+// Counts every `step`-th reference into `bins` bins per axis, 2 to kMostBins, that span `bounds`.
 void fillBins(Bins& counted, std::span<const ClippedRef> refs, const Box& bounds, uint32_t bins, uint32_t step);
 
 // The best of the ends of the ranges and of the boundaries between bins. Counters of every `step`-th reference are

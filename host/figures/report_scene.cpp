@@ -164,7 +164,7 @@ std::string countsText(const RayCounts& c) {
 }
 
 double costOf(const RayCounts& c, SahCosts costs) {
-    return double{costs.traverse} * c.inner + double{costs.intersect} * c.triangles;
+    return double{costs.traverse} * c.inner + double{costs.leaf} * c.leaves + double{costs.intersect} * c.triangles;
 }
 
 // Per cent above the first row, of the cost of some counts.

@@ -68,7 +68,8 @@ double LineCounts::perLine(uint64_t count) const {
 
 std::optional<double> LineCounts::cost(SahCosts costs) const {
     if (lines == 0) return std::nullopt;
-    return double{costs.traverse} * perLine(inner) + double{costs.intersect} * perLine(triangles);
+    return double{costs.traverse} * perLine(inner) + double{costs.leaf} * perLine(leaves) +
+           double{costs.intersect} * perLine(triangles);
 }
 
 void countAlong(const KdTree& tree, const Ray& ray, double from, double to, LineCounts& counts) {

@@ -30,11 +30,14 @@ enum class StopRule { cost, equation41 };
 // as in large nodes. The planes, and so the trees, are the same.
 enum class SmallNodes { count, sort };
 
+// Bins per axis, at most: on the CPU; the device and its twin have kBins.
+inline constexpr uint32_t kMostBins = 512;
+
 // Settings that shape a tree. A builder ignores those that it has no use for.
 struct BuildSettings {
     SahCosts costs = kDefaultCosts;       // of a leaf: 0 or more, of others: positive; the bonus at most 1; finite
     StopRule stop = StopRule::cost;       // of SAH builders
-    uint32_t bins = kBins;                // per axis, 2 to 32
+    uint32_t bins = kBins;                // per axis, 2 to kMostBins or kBins
     uint32_t exactUpTo = kExactUpTo;      // exact SAH in nodes of at most so many references, up to kMostExactUpTo
     uint32_t maxDepth = 0;                // deepest leaf, at most kMaxDepth; 0: round(8 + 1.3 log2 N)
     AxisChoice axes = AxisChoice::cycle;  // of median builders

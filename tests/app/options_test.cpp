@@ -239,8 +239,11 @@ TEST(Options, BadValues) {
         expectRefused({"render", "--memory", memory}, "size");
     for (const char* count : {"0", "-1", "many", "1.5", ""})
         expectRefused({"render", "--check", count}, "whole number");
-    expectRefused({"render", "--bins", "1"}, "from 2 to 32");
-    expectRefused({"render", "--bins", "33"}, "from 2 to 32");
+    expectRefused({"render", "--bins", "1"}, "from 2 to 512");
+    expectRefused({"render", "--bins", "513", "--builder", "shevtsov"}, "from 2 to 512");
+    expectRefused({"render", "--bins", "33"}, "gpu and twin have at most 32");
+    expectRefused({"bench", "a.glb", "--bins", "33", "--builder", "shevtsov,twin"}, "gpu and twin have at most 32");
+    expectRefused({"stability", "--bins", "33"}, "gpu and twin have at most 32");
     expectRefused({"render", "--exact-up-to", "1025"}, "from 0 to 1024");
     expectRefused({"render", "--max-depth", "64"}, "from 1 to 63");
     expectRefused({"render", "--threads", "0"}, "from 1 to");

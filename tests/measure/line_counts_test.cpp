@@ -62,7 +62,9 @@ TEST(LineCounts, AsCosts) {
     counts.leaves = 12;
     counts.triangles = 2;
     EXPECT_EQ(counts.perLine(counts.leaves), 3.0);
-    EXPECT_EQ(counts.cost({15.0f, 20.0f}), 15.0 * 2.0 + 20.0 * 0.5);
+    SahCosts costs = kDefaultCosts;
+    costs.leaf = 4.0f;
+    EXPECT_EQ(counts.cost(costs), 15.0 * 2.0 + 4.0 * 3.0 + 20.0 * 0.5);
 }
 
 }  // namespace
