@@ -8,9 +8,11 @@ Triangle hitTriangle(const PictureArrays& a, const Hit& hit) {
 }
 
 void shadowRays(PictureArrays& a, uint32_t) {
-    const float offset = shadowOffset(a.bounds, a.exponent);
-    for (size_t i = 0; i < a.rays.size(); i++)
-        a.shadowRays[i] = shadowRay(a.rays[i], a.hits[i], hitTriangle(a, a.hits[i]), offset);
+    for (size_t i = 0; i < a.rays.size(); i++) {
+        const Hit& hit = a.hits[i];
+        const Triangle world = hit.prim == kNone ? Triangle{} : a.triangles[hit.prim];
+        a.shadowRays[i] = shadowRay(a.rays[i], hit, world);
+    }
 }
 
 }  // namespace cleave::twin

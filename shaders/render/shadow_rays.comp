@@ -10,7 +10,6 @@ void main() {
     if (i >= args.count) return;
     Hit hit = args.hits.at[i];
     Triangle t = Triangle(vec3(0.0), vec3(0.0), vec3(0.0));
-    if (hit.prim != kNone) t = hitTriangle(hit);
-    float offset = shadowOffset(args.tree.at.bounds, args.tree.at.exponent);
-    args.shadowRays.at[i] = shadowRay(args.rays.at[i], hit, t, offset);
+    if (hit.prim != kNone) t = args.triangles.at[hit.prim];
+    args.shadowRays.at[i] = shadowRay(args.rays.at[i], hit, t);
 }

@@ -167,14 +167,5 @@ CLEAVE_FN float depthReach(Ray r, Hit h, Box bounds, int exponent) {
     return max(h.t, float(leave));
 }
 
-// How far shadow rays start from their surface: 1e-4 of the scene's diagonal, in world units.
-CLEAVE_FN float shadowOffset(Box bounds, int exponent) {
-    dvec3 e = dvec3(bounds.hi) - dvec3(bounds.lo);
-    precise double square = e.x * e.x + e.y * e.y;
-    square = square + e.z * e.z;
-    precise float diagonal = float(sqrt(square) * powerOfTwo(exponent));
-    return 1e-4f * diagonal;
-}
-
 CLEAVE_END
 #endif

@@ -30,19 +30,50 @@ CLEAVE_FN vec3 facingNormal(Triangle t, vec3 direction) {
     return dotOf(n, scaledBy(direction, 1.0f / reach)) > 0.0f ? scaledBy(n, -1.0f) : n;
 }
 
-CLEAVE_FN vec3 hitPoint(Ray r, float t) {
-    return vec3(r.origin.x + t * r.direction.x, r.origin.y + t * r.direction.y, r.origin.z + t * r.direction.z);
+// Where a ray starts that leaves a surface on the side that `direction` came from: off the hit's point by no more than
+// what that is in doubt by, so that it neither meets its own triangle again nor passes a gap beside it, whatever the
+// scale. The point is a sum of the vertices in double, within 2^-50 of the largest of their coordinates; its own
+// coordinates are rounded to float, by 2^-24 of the largest each, and 2^-21 along the normal is more than all three
+// together. Hits of rays are decided on the coordinates as they are (shared/triangle.h), so that no more is needed.
+CLEAVE_FN vec3 leavingOrigin(Triangle world, Hit h, vec3 direction) {
+    dvec3 a = dvec3(world.a);
+    dvec3 e1 = dvec3(world.b) - a;
+    dvec3 e2 = dvec3(world.c) - a;
+    dvec3 n = preciseCross(e1, e2);
+    precise double square = n.x * n.x + n.y * n.y;
+    square = square + n.z * n.z;
+    precise double along = n.x * double(direction.x) + n.y * double(direction.y);
+    along = along + n.z * double(direction.z);
+    dvec3 point;
+    double largest = double(0.0f);
+    double reach = double(0.0f);
+    for (uint k = 0u; k < 3u; k++) {
+        precise double p = a[k] + double(h.u) * e1[k];
+        p = p + double(h.v) * e2[k];
+        point[k] = p;
+        largest = abs(p) > largest ? abs(p) : largest;
+        double vertex = double(max(abs(world.a[k]), max(abs(world.b[k]), abs(world.c[k]))));
+        reach = vertex > reach ? vertex : reach;
+    }
+    precise double offset = largest * double(4.76837158203125e-7f) + reach * double(3.5527136788005009e-15f);
+    precise double scale = offset / sqrt(square);
+    if (along > double(0.0f)) scale = -scale;
+    vec3 origin;
+    for (uint k = 0u; k < 3u; k++) {
+        precise double p = point[k] + scale * n[k];
+        origin[k] = float(p);
+    }
+    return origin;
 }
 
-// Makes a ray from the hit towards the sun. Where there is no hit its interval is a point, so that it costs nothing.
-CLEAVE_FN Ray shadowRay(Ray r, Hit h, Triangle t, float offset) {
+// Makes a ray from the hit on a triangle of the world towards the sun. Where there is no hit its interval is a point,
+// so that it costs nothing.
+CLEAVE_FN Ray shadowRay(Ray r, Hit h, Triangle world) {
     Ray s = r;
     s.tMin = 0.0f;
     s.tMax = 0.0f;
     if (h.prim == kNone) return s;
-    vec3 n = facingNormal(t, r.direction);
-    vec3 p = hitPoint(r, h.t);
-    s.origin = vec3(p.x + n.x * offset, p.y + n.y * offset, p.z + n.z * offset);
+    s.origin = leavingOrigin(world, h, r.direction);
     s.direction = towardsSun();
     s.tMax = infinity();
     return s;
