@@ -8,9 +8,9 @@
 
 namespace cleave {
 
-// Builds and traces with every builder of the survey that there is, after judging a sample of the rays. Builders take
-// turns, so that what else the machine does disturbs all alike. Throws Error if an answer is wrong, or if the two exact
-// builds differ.
+// Builds and traces with every builder of the survey, with the settings that were asked for and without what goes
+// beyond its paper, after judging a sample of the rays. Builders take turns, so that what else the machine does
+// disturbs all alike. Throws Error if an answer is wrong, or if the exact builds differ.
 SurveyScene measureForSurvey(Run& run, Session& session, const std::filesystem::path& file);
 
 }  // namespace cleave
