@@ -117,6 +117,21 @@ TEST_F(Program, InfoTellsSceneAndTree) {
     EXPECT_EQ(outputs(), std::vector<std::string>{"i.json"});
 }
 
+// One triangle in one leaf: its test and the leaf's visit.
+TEST_F(Program, ReportsNameTheConstantsOfTheirCost) {
+    for (const char* builder : {"exact", "gpu"}) {
+        const Outcome outcome = runCleave({"info", scene_, "--builder", builder, "--cost-leaf", "3", "--stop", "sa-n",
+                                           "--cost-intersect", "8", "--json", at("i.json")});
+        ASSERT_EQ(outcome.status, 0) << outcome.err;
+        const Json build = reportOf("i.json")["build"];
+        EXPECT_EQ(build["sahCost"], 11.0);
+        EXPECT_EQ(build["costTraverse"], 15.0) << "also where the stop does not go by it";
+        EXPECT_EQ(build["costIntersect"], 8.0);
+        EXPECT_EQ(build["costLeaf"], 3.0);
+        EXPECT_EQ(build["emptyBonus"], 0.8);
+    }
+}
+
 TEST_F(Program, InfoWithACpuBuilderNeedsNoDevice) {
     const std::string noDriver = "VK_DRIVER_FILES=/dev/null VK_ICD_FILENAMES=/dev/null";
     for (const char* builder : {"exact", "twin", "brute"}) {
