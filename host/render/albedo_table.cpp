@@ -48,7 +48,7 @@ class Reflection {
         if (light <= 0.0) return {0.0, 1.0};
         const double leaves = light * (cosine_ + root_) / (light * root_ + cosine_ * smithRootOf(alpha_, light));
         const double c = 1.0 - dot;
-        return {leaves * (c * c * c * c * c), 1.0 - leaves};
+        return {leaves * (c * c * c * c * c), std::max(0.0, 1.0 - leaves)};
     }
 
   private:

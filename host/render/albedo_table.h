@@ -7,14 +7,14 @@
 
 namespace cleave {
 
-// What the lobe reflects of light at this cosine, to within 2e-4: by a quadrature in double of a fixed number of steps.
+// What the lobe reflects of light at this cosine, to within 5e-4: by a quadrature in double of a fixed number of steps.
 struct ExactAlbedo {
     double edge;
     double loss;
 };
 ExactAlbedo exactAlbedo(double roughness, double cosine);
 
-// kAlbedoRows rows of kAlbedoStride entries, the same in every run. It takes some 0.1 s.
+// kAlbedoRows rows of kAlbedoStride entries, the same in every run. It takes about a tenth of a second.
 std::vector<SpecularAlbedo> albedoTable();
 
 }  // namespace cleave

@@ -40,7 +40,7 @@ CLEAVE_SIZE(SpecularAlbedo, 8);
 // equal steps of its fourth root from 0 to 1, and one more: the mean over the hemisphere, weighted by the cosine.
 CLEAVE_CONST uint kAlbedoRows = 48u;
 CLEAVE_CONST uint kAlbedoColumns = 48u;
-CLEAVE_CONST uint kAlbedoStride = 49u;
+CLEAVE_CONST uint kAlbedoStride = kAlbedoColumns + 1u;
 CLEAVE_CONST float kLeastAlbedoRoot = 0.2f;  // of kLeastRoughness
 
 #ifdef __cplusplus
@@ -48,7 +48,7 @@ struct AlbedoTable {
     const SpecularAlbedo* at;
 };
 #else
-CLEAVE_ARRAY(AlbedoTable, SpecularAlbedo);
+layout(buffer_reference, scalar, buffer_reference_align = 4) buffer AlbedoTable { SpecularAlbedo at[]; };
 #endif
 
 CLEAVE_FN SpecularAlbedo mixedAlbedo(SpecularAlbedo a, SpecularAlbedo b, float t) {
@@ -167,7 +167,7 @@ CLEAVE_FN float facetBrdf(float alpha, vec3 facet, vec3 viewer, vec3 light) {
     return value;
 }
 
-// Density of reflections of the viewer in a visible facet (Heitz 2018), over the whole sphere.
+// Density of reflections of the viewer in a visible facet (Heitz 2018), those into the surface included.
 CLEAVE_FN float reflectionDensity(float alpha, vec3 facet, vec3 viewer) {
     precise float masking = viewer.z + smithRoot(alpha, viewer.z);
     precise float density = ggx(alpha, facet) * 0.5f / masking;
@@ -201,15 +201,33 @@ CLEAVE_FN vec3 visibleFacet(float alpha, vec3 viewer, vec2 u) {
     return unitVector(facet);
 }
 
-// How often a sample is taken of the specular lobe: as its share is, on the average of the channels. Neither lobe is
-// left out, since what is found by the one is weighted with the density of both.
-CLEAVE_FN float specularChance(Lobes l, SpecularAlbedo viewer) {
-    precise vec3 specular = specularShare(l, viewer);
-    precise vec3 broad = l.scattered * viewer.loss + l.diffuse * restOf(l, viewer);
-    precise float a = specular.x + specular.y + specular.z + 1.0e-3f;
-    precise float b = broad.x + broad.y + broad.z + 1.0e-3f;
-    precise float chance = a / (a + b);
-    return chance;
+// How often a sample is drawn in each way: as the share of what it suits is, on the average of the channels. Bounces
+// between the facets of a smooth surface lose light near the horizon only, and a density that ignored that would give
+// rare samples hundreds of times the usual weight. The facets and the cosine are never left out, since what is found in
+// one way is weighted with the density of all.
+struct LobeChances {
+    float facet;
+    float horizon;
+    float cosine;
+};
+
+CLEAVE_FN float sumOf(vec3 v) {
+    precise float sum = v.x + v.y + v.z;
+    return sum;
+}
+
+CLEAVE_FN LobeChances lobeChances(Lobes l, SpecularAlbedo viewer) {
+    precise vec3 bounces = l.scattered * viewer.loss;
+    precise vec3 broad = bounces + l.diffuse * restOf(l, viewer);
+    precise float facet = sumOf(specularShare(l, viewer)) + 1.0e-3f;
+    precise float horizon = sumOf(bounces) * max(0.0f, 1.0f - 2.0f * l.roughness);
+    precise float cosine = sumOf(broad) - horizon + 1.0e-3f;
+    precise float all = facet + horizon + cosine;
+    LobeChances r;
+    r.facet = facet / all;
+    r.horizon = horizon / all;
+    r.cosine = cosine / all;
+    return r;
 }
 
 struct BrdfValue {
@@ -225,16 +243,17 @@ CLEAVE_FN BrdfValue lobesTowards(Lobes l, AlbedoTable table, SpecularAlbedo view
     precise vec3 between = viewer + light;
     vec3 facet = unitVector(between);
     SpecularAlbedo lightAlbedo = lookedUpAlbedo(table, l.roughness, light.z);
-    float chance = specularChance(l, viewerAlbedo);
+    LobeChances chances = lobeChances(l, viewerAlbedo);
     precise vec3 specular = schlick(l.f0, preciseDot(viewer, facet)) * facetBrdf(l.alpha, facet, viewer, light);
     precise vec3 timesCosine = (specular + broadBrdf(l, viewerAlbedo, lightAlbedo)) * light.z;
-    precise float density = chance * reflectionDensity(l.alpha, facet, viewer) + (1.0f - chance) * cosineDensity(light);
+    precise float density = chances.facet * reflectionDensity(l.alpha, facet, viewer) +
+                            chances.horizon * horizonDensity(light) + chances.cosine * cosineDensity(light);
     r.timesCosine = timesCosine;
     r.density = density;
     return r;
 }
 
-// Both at once, for less than each.
+// Both at once, for the price of one.
 CLEAVE_FN BrdfValue evaluateBrdf(Surface s, AlbedoTable table, vec3 towardsViewer, vec3 towardsLight) {
     Lobes l = lobesOf(s, table);
     return lobesTowards(l, table, lookedUpAlbedo(table, l.roughness, towardsViewer.z), towardsViewer, towardsLight);
@@ -263,10 +282,16 @@ CLEAVE_FN BrdfSample sampleBrdf(Surface s, AlbedoTable table, vec3 towardsViewer
     Lobes l = lobesOf(s, table);
     SpecularAlbedo viewerAlbedo = lookedUpAlbedo(table, l.roughness, towardsViewer.z);
     vec2 across = vec2(u.y, u.z);
-    precise vec3 direction = cosineDirection(across);
-    if (u.x < specularChance(l, viewerAlbedo)) {
+    LobeChances chances = lobeChances(l, viewerAlbedo);
+    precise float facetOrHorizon = chances.facet + chances.horizon;
+    precise vec3 direction;
+    if (u.x < chances.facet) {
         vec3 facet = visibleFacet(l.alpha, towardsViewer, across);
         direction = facet * (2.0f * preciseDot(towardsViewer, facet)) - towardsViewer;
+    } else if (u.x < facetOrHorizon) {
+        direction = horizonDirection(across);
+    } else {
+        direction = cosineDirection(across);
     }
     BrdfValue value = lobesTowards(l, table, viewerAlbedo, towardsViewer, direction);
     if (!(value.density > 0.0f)) return r;

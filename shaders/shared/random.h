@@ -23,7 +23,7 @@ CLEAVE_FN uvec3 pcg3d(uvec3 words) {
     return uvec3(x, y, z);
 }
 
-// The upper 24 bits as a multiple of 2^-24 in [0, 1), which float holds exactly. The lower bits of a hash are worse.
+// The upper 24 bits as a multiple of 2^-24 in [0, 1), which float holds exactly.
 CLEAVE_FN float unitFloat(uint bits) { return float(bits >> 8) * 5.9604644775390625e-08f; }
 
 // Three numbers, uniform in [0, 1), for one decision of a pixel's path: `path` counts the paths of the pixel,

@@ -81,6 +81,20 @@ CLEAVE_FN float cosineDensity(vec3 direction) {
     return density;
 }
 
+// A direction above the horizon, more likely close to it: its height is the square of a uniform number.
+CLEAVE_FN vec3 horizonDirection(vec2 u) {
+    vec2 disc = concentricDisc(u);
+    precise float root = 1.0f - (disc.x * disc.x + disc.y * disc.y);
+    precise float z = max(0.0f, root) * root;
+    precise float stretch = sqrt((1.0f + root) * (1.0f + z));
+    precise vec3 direction = vec3(disc.x * stretch, disc.y * stretch, z);
+    return direction;
+}
+CLEAVE_FN float horizonDensity(vec3 direction) {  // its z is above 0
+    precise float density = 0.25f * kInversePi / sqrt(direction.z);
+    return density;
+}
+
 // Cones about z are given by the height 1 - cos of the cap that they cut out of the unit sphere, since a cosine of the
 // sun's 0.27 degrees is 1 to five digits. Of a half angle below 90 degrees:
 CLEAVE_FN float capHeight(float sineOfHalfAngle) {

@@ -14,8 +14,9 @@ namespace cleave {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-// How far the albedo of what should be white may be from 1: the error of the table's lookup, as measured below.
-constexpr double kMostOff = 0.005;
+// How far the albedo of what should be white may be from 1, at the cosines below. They are sought from 0.005 on, and
+// closer to the horizon the table's lookup is off by up to 0.004.
+constexpr double kMostOff = 0.0025;
 
 AlbedoTable table() {
     static const std::vector<SpecularAlbedo> entries = albedoTable();
@@ -198,8 +199,8 @@ TEST(Brdf, lookupOfTheAlbedoIsClose) {
     }
     RecordProperty("mostOff", std::to_string(most));
     RecordProperty("meanOff", std::to_string(sum / count));
-    EXPECT_LT(most, 0.0045);
-    EXPECT_LT(sum / count, 3e-4);
+    EXPECT_LT(most, 0.004);
+    EXPECT_LT(sum / count, 2e-4);
 }
 
 TEST(Brdf, lookupsStayInTheTable) {
@@ -330,9 +331,10 @@ TEST(Brdf, densitiesAddUpToOne) {
             EXPECT_NEAR(sum, 1.0, 2e-3) << "roughness " << roughness << ", cosine " << cosine;
             const Surface s{vec3(0.8f), 0.0f, static_cast<float>(roughness)};
             const Lobes lobes = lobesOf(s, table());
-            const double chance =
-                specularChance(lobes, lookedUpAlbedo(table(), s.roughness, static_cast<float>(cosine)));
-            EXPECT_NEAR(totalOf(s, v).density, chance * above + 1.0 - chance, 2e-3)
+            const LobeChances chances =
+                lobeChances(lobes, lookedUpAlbedo(table(), s.roughness, static_cast<float>(cosine)));
+            EXPECT_NEAR(chances.facet + chances.horizon + chances.cosine, 1.0, 1e-6);
+            EXPECT_NEAR(totalOf(s, v).density, 1.0 - chances.facet * (1.0 - above), 2e-3)
                 << "roughness " << roughness << ", cosine " << cosine;
         }
     }
@@ -412,6 +414,23 @@ TEST(Brdf, samplesFollowTheirDensity) {
                 samplesFollowTheirDensity(s, v, seed);
                 seed++;
             }
+        }
+    }
+}
+
+// A rare sample of a large weight is a bright dot in a picture.
+TEST(Brdf, weightsAreSmall) {
+    std::mt19937 random(6);
+    for (const double roughness : kRoughnesses) {
+        for (const float metallic : {0.0f, 0.5f, 1.0f}) {
+            const Surface s{vec3(1.0f, 0.5f, 0.0f), metallic, static_cast<float>(roughness)};
+            float most = 0.0f;
+            for (int i = 0; i < 40000; i++) {
+                const double cosine = std::pow(number(random), 2.0);
+                const vec3 weight = sampleBrdf(s, table(), vec3(directionAt(cosine, 0.4)), numbers(random)).weight;
+                most = std::max({most, weight.x, weight.y, weight.z});
+            }
+            EXPECT_LT(most, 12.0f) << nameOf(s) << ", seed 6";
         }
     }
 }

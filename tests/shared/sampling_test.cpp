@@ -113,6 +113,22 @@ TEST(Sampling, cosineDirectionsAreDrawnWithTheirDensity) {
     EXPECT_EQ(cosineDensity(vec3(0.0f, 0.0f, -1.0f)), 0.0f);
 }
 
+TEST(Sampling, horizonDirectionsAreDrawnWithTheirDensity) {
+    std::mt19937 random(6);
+    std::vector<double> counts(256);
+    for (int i = 0; i < 200000; i++) {
+        const dvec3 d(horizonDirection(pair(random)));
+        ASSERT_NEAR(lengthOf(d), 1.0, 1e-6);
+        ASSERT_GE(d.z, 0.0);
+        counts[cellOf(std::sqrt(d.z), turnOf(d.x, d.y))]++;
+    }
+    EXPECT_LT(std::fabs(chiSquareDeviation(counts)), kMostDeviation) << "seed 6";
+    // Midpoints miss a little of its pole at the horizon.
+    EXPECT_NEAR(overSphere([](const vec3& d) { return horizonDensity(d); }, 0.0), 1.0, 1e-2);
+    for (const double z : {1e-6, 0.25, 1.0})
+        EXPECT_NEAR(horizonDensity(vec3(std::sqrt(1.0 - z * z), 0.0, z)) * 4.0 * kPi * std::sqrt(z), 1.0, 1e-6);
+}
+
 TEST(Sampling, capHeightKeepsTheDigitsOfSmallAngles) {
     for (const double degrees : {1e-3, 0.2666, 1.0, 30.0, 89.0}) {
         const double half = degrees * kPi / 360.0;
