@@ -24,7 +24,9 @@
 namespace cleave {
 using glm::dvec3;
 using glm::uvec2;
+using glm::uvec3;
 using glm::uvec4;
+using glm::vec2;
 using glm::vec3;
 using uint = uint32_t;
 
