@@ -73,6 +73,14 @@ struct Transform {
     std::optional<glm::dmat4> matrix;
 };
 
+// EXT_mesh_gpu_instancing: a mesh is shown `count` times. Accessors of that count; none: identity.
+struct Instancing {
+    uint64_t count = 0;
+    Index translations;
+    Index rotations;
+    Index scales;
+};
+
 struct Node {
     std::string name;
     std::vector<uint32_t> children;
@@ -82,7 +90,7 @@ struct Node {
     Index camera;
     Index light;
     std::vector<double> weights;  // take the place of the mesh's
-    bool instanced = false;       // by EXT_mesh_gpu_instancing
+    std::optional<Instancing> instancing;
 };
 
 struct SceneRoots {

@@ -34,7 +34,17 @@ gltf::Transform transformOf(const Json& node) {
     return transform;
 }
 
-gltf::Node nodeOf(const Json& source) {
+// A node without attributes of instances, of which nothing says how many there are, is an ordinary one.
+std::optional<gltf::Instancing> instancingOf(const Json& document, const Json& node) {
+    const Json* extension = extensionOf(node, "EXT_mesh_gpu_instancing", "");
+    const Json* attributes = extension == nullptr ? nullptr : member(*extension, "attributes");
+    if (attributes == nullptr || attributes->empty()) return std::nullopt;
+    const Json& any = document["accessors"][attributes->begin()->get<size_t>()];
+    return gltf::Instancing{wholeOf(any, "count"), indexOf(*attributes, "TRANSLATION"),
+                            indexOf(*attributes, "ROTATION"), indexOf(*attributes, "SCALE")};
+}
+
+gltf::Node nodeOf(const Json& document, const Json& source) {
     gltf::Node node;
     node.name = textOf(source, "name");
     node.children = listOf<uint32_t>(source, "children");
@@ -44,7 +54,7 @@ gltf::Node nodeOf(const Json& source) {
     node.camera = indexOf(source, "camera");
     if (const Json* light = extensionOf(source, "KHR_lights_punctual", "")) node.light = indexOf(*light, "light");
     node.weights = listOf<double>(source, "weights");
-    node.instanced = extensionOf(source, "EXT_mesh_gpu_instancing", "") != nullptr;
+    node.instancing = instancingOf(document, source);
     return node;
 }
 
@@ -90,7 +100,7 @@ void keepMeshes(const Json& document, Scene& scene) {
 }
 
 void keepNodes(const Json& document, Scene& scene) {
-    for (const Json& node : objectsOf(document, "nodes")) scene.nodes.push_back(nodeOf(node));
+    for (const Json& node : objectsOf(document, "nodes")) scene.nodes.push_back(nodeOf(document, node));
     for (const Json& source : objectsOf(document, "scenes"))
         scene.scenes.push_back({textOf(source, "name"), listOf<uint32_t>(source, "nodes")});
     scene.defaultScene = indexOf(document, "scene");

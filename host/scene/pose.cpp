@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "scene/animation.h"
+#include "scene/instances.h"
 #include "scene/node_transforms.h"
 #include "scene/place_camera.h"
 #include "scene/pose_primitive.h"
@@ -70,14 +71,30 @@ class Posing {
     void addMesh(uint32_t index) {
         const gltf::Node& node = scene_.nodes[index];
         const std::string name = nameOf(scene_, index);
-        if (node.instanced) warnings_.add(name + " has EXT_mesh_gpu_instancing: it is shown once");
+        if (node.instancing && !hasInstances(scene_, node))
+            warnings_.add(name + " is shown once: it has instances, and " +
+                          (node.skin ? "also a skin" : "their data is in a buffer that has no URI"));
         // A skinned mesh is where its joints are; its node's own transform does not count.
         const bool hasSkin = node.skin && hasMatrices(*node.skin, name);
-        const Placement placement{toWorld_[index], &states_[index].weights, hasSkin ? &skins_.of(*node.skin) : nullptr};
-        const std::vector<gltf::Primitive>& primitives = scene_.meshes[*node.mesh].primitives;
-        for (size_t p = 0; p < primitives.size(); ++p)
-            posePrimitive(scene_, primitives[p], placement, name + ", primitive " + std::to_string(p), budget_, posed_,
-                          warnings_);
+        const Deformation deformation{&states_[index].weights, hasSkin ? &skins_.of(*node.skin) : nullptr};
+        const InstanceTransforms instances(scene_, node);
+        const std::vector<PosablePrimitive> primitives = primitivesOf(node, deformation, instances.count(), name);
+        for (size_t i = 0; i < instances.count() && !primitives.empty(); ++i) {
+            const glm::dmat4 toWorld = toWorld_[index] * instances[i];
+            for (const PosablePrimitive& primitive : primitives) primitive.appendTo(posed_, toWorld);
+        }
+    }
+
+    // Returns the primitives of the node's mesh that make triangles.
+    std::vector<PosablePrimitive> primitivesOf(const gltf::Node& node, const Deformation& deformation, size_t instances,
+                                               const std::string& name) {
+        const std::vector<gltf::Primitive>& all = scene_.meshes[*node.mesh].primitives;
+        MeshPosing posing{scene_, deformation, instances, budget_, posed_.leftOut, warnings_};
+        std::vector<PosablePrimitive> primitives;
+        for (size_t p = 0; p < all.size(); ++p)
+            if (auto primitive = posing.prepare(all[p], name + ", primitive " + std::to_string(p)))
+                primitives.push_back(std::move(*primitive));
+        return primitives;
     }
 
     bool hasMatrices(uint32_t skin, const std::string& name) {

@@ -42,10 +42,10 @@ std::vector<uint32_t> chooseAnimation(const Scene& scene, const std::string& nam
 // Returns all of them.
 std::vector<uint32_t> allAnimations(const Scene& scene);
 
-// Poses a scene. Triangles are numbered: default scene (or the first), nodes depth-first in listed order, primitives in
-// order, triangles in index order. Positions are computed in double and rounded to float once. Before an animation's
-// first key its first value holds, after the last key the last one. Throws Error if the payload cannot be trusted, or
-// if there are more than `mostTriangles`.
+// Poses a scene. Triangles are numbered: default scene (or the first), nodes depth-first in listed order, instances in
+// order, primitives in order, triangles in index order. Positions are computed in double and rounded to float once.
+// Before an animation's first key its first value holds, after the last key the last one. Throws Error if the payload
+// cannot be trusted, or if there are more than `mostTriangles`.
 PosedScene pose(const Scene& scene, const PoseTime& time = {}, size_t mostTriangles = kMostTriangles);
 
 }  // namespace cleave

@@ -4,6 +4,7 @@
 
 #include "scene/check_values.h"
 #include "scene/gltf_uri.h"
+#include "scene/instances.h"
 
 namespace cleave {
 namespace {
@@ -16,6 +17,10 @@ class Needs {
         for (const gltf::BufferView& view : scene.bufferViews) needs_[view.buffer] = Need::view;
         for (const gltf::Mesh& mesh : scene.meshes)
             for (const gltf::Primitive& primitive : mesh.primitives) addPrimitive(primitive);
+        for (const gltf::Node& node : scene.nodes)
+            if (node.instancing)
+                for (const gltf::Index accessor : accessorsOf(*node.instancing))
+                    if (accessor) addAccessor(*accessor);
         for (const gltf::Skin& skin : scene.skins)
             if (skin.inverseBindMatrices) addAccessor(*skin.inverseBindMatrices);
     }

@@ -1,5 +1,6 @@
 #include "scene/triangle_count.h"
 
+#include "scene/instances.h"
 #include "scene/node_transforms.h"
 #include "scene/refuse.h"
 
@@ -64,12 +65,14 @@ size_t countTriangles(const Scene& scene, size_t most) {
     std::vector<size_t> counts;
     for (const gltf::Mesh& mesh : scene.meshes) counts.push_back(trianglesOf(scene, mesh, most));
     size_t sum = 0;
-    for (uint32_t node : shownNodes(scene)) {
-        if (!scene.nodes[node].mesh) continue;
-        const size_t count = counts[*scene.nodes[node].mesh];
-        if (count > most - sum)
+    for (uint32_t index : shownNodes(scene)) {
+        const gltf::Node& node = scene.nodes[index];
+        if (!node.mesh) continue;
+        const size_t count = counts[*node.mesh];
+        const size_t instances = instanceCount(scene, node);
+        if (count > 0 && instances > (most - sum) / count)
             refuseGltf("the scene has more than " + std::to_string(most) + " triangles", "split it");
-        sum += count;
+        sum += instances * count;
     }
     return sum;
 }

@@ -48,8 +48,6 @@ TEST(SharedScenes, haveTheirNumberOfTriangles) {
         if (row.size() > 5 && row[5].find("_compression") != std::string::npos) {
             EXPECT_NE(error.find("_compression"), std::string::npos) << row[0];
             ++refused;
-        } else if (row.size() > 5 && row[5].find("EXT_mesh_gpu_instancing") != std::string::npos) {
-            EXPECT_TRUE(mentions(scene.warnings, "EXT_mesh_gpu_instancing")) << row[0];
         } else {
             EXPECT_EQ(error, "");
             EXPECT_EQ(scene.triangles.size(), std::stoul(row.at(3))) << row[0];
