@@ -18,11 +18,26 @@ struct Buffer {
     uint64_t byteLength = 0;
 };
 
+enum class MeshoptMode { attributes, triangles, indices };
+enum class MeshoptFilter { none, octahedral, quaternion, exponential };
+
+// EXT_meshopt_compression: where the compressed bytes of a bufferView are, and how they become `count` elements.
+struct Meshopt {
+    uint32_t buffer = 0;
+    uint64_t byteOffset = 0;
+    uint64_t byteLength = 0;
+    uint64_t byteStride = 0;
+    uint64_t count = 0;
+    MeshoptMode mode = MeshoptMode::attributes;
+    MeshoptFilter filter = MeshoptFilter::none;
+};
+
 struct BufferView {
     uint32_t buffer = 0;
     uint64_t byteOffset = 0;
     uint64_t byteLength = 0;
-    uint64_t byteStride = 0;  // 0: elements are packed
+    uint64_t byteStride = 0;         // 0: elements are packed
+    std::optional<Meshopt> meshopt;  // until it is decompressed: it then is in a buffer of its own
 };
 
 enum class ComponentType { int8 = 5120, uint8 = 5121, int16 = 5122, uint16 = 5123, uint32 = 5125, float32 = 5126 };
@@ -51,12 +66,19 @@ enum class Mode { points, lines, lineLoop, lineStrip, triangles, triangleStrip, 
 
 using Attributes = std::map<std::string, uint32_t>;  // semantic -> accessor
 
+// KHR_draco_mesh_compression: the bufferView that holds indices and attributes of a primitive.
+struct Draco {
+    uint32_t view = 0;
+    std::map<std::string, uint32_t> ids;  // semantic -> what Draco calls the attribute
+};
+
 struct Primitive {
     Attributes attributes;
     Index indices;
     Index material;
     Mode mode = Mode::triangles;
     std::vector<Attributes> targets;
+    std::optional<Draco> draco;  // until it is decompressed: its accessors then are its own
 };
 
 struct Mesh {

@@ -18,6 +18,8 @@ gltf::Primitive primitiveOf(const Json& source) {
     primitive.material = indexOf(source, "material");
     primitive.mode = gltf::Mode(wholeOf(source, "mode", 4));
     for (const Json& target : objectsOf(source, "targets")) primitive.targets.push_back(attributesOf(target));
+    if (const Json* draco = extensionOf(source, "KHR_draco_mesh_compression", ""))
+        primitive.draco = gltf::Draco{*indexOf(*draco, "bufferView"), attributesOf((*draco)["attributes"])};
     return primitive;
 }
 

@@ -14,7 +14,7 @@ enum class Need { none, view, geometry };
 class Needs {
   public:
     explicit Needs(const Scene& scene) : scene_(scene), needs_(scene.buffers.size(), Need::none) {
-        for (const gltf::BufferView& view : scene.bufferViews) needs_[view.buffer] = Need::view;
+        for (const gltf::BufferView& view : scene.bufferViews) needs_[bufferOf(view)] = Need::view;
         for (const gltf::Mesh& mesh : scene.meshes)
             for (const gltf::Primitive& primitive : mesh.primitives) addPrimitive(primitive);
         for (const gltf::Node& node : scene.nodes)
@@ -27,7 +27,9 @@ class Needs {
     Need operator[](size_t buffer) const { return needs_[buffer]; }
 
   private:
-    void addView(uint32_t view) { needs_[scene_.bufferViews[view].buffer] = Need::geometry; }
+    // A compressed view's own buffer, where there is one, is for those who cannot decompress it.
+    static uint32_t bufferOf(const gltf::BufferView& view) { return view.meshopt ? view.meshopt->buffer : view.buffer; }
+    void addView(uint32_t view) { needs_[bufferOf(scene_.bufferViews[view])] = Need::geometry; }
     void addAccessor(uint32_t index) {
         const gltf::Accessor& accessor = scene_.accessors[index];
         if (accessor.view) addView(*accessor.view);
@@ -35,15 +37,17 @@ class Needs {
         addView(accessor.sparse->indicesView);
         addView(accessor.sparse->valuesView);
     }
-    void addAttributes(const gltf::Attributes& attributes) {
+    void addAttributes(const gltf::Attributes& attributes, const std::optional<gltf::Draco>& draco) {
         for (const auto& [semantic, accessor] : attributes)
-            if (semantic == "POSITION" || semantic.starts_with("JOINTS_") || semantic.starts_with("WEIGHTS_"))
+            if (!(draco && draco->ids.contains(semantic)) &&
+                (semantic == "POSITION" || semantic.starts_with("JOINTS_") || semantic.starts_with("WEIGHTS_")))
                 addAccessor(accessor);
     }
     void addPrimitive(const gltf::Primitive& primitive) {
-        addAttributes(primitive.attributes);
-        for (const gltf::Attributes& target : primitive.targets) addAttributes(target);
-        if (primitive.indices) addAccessor(*primitive.indices);
+        addAttributes(primitive.attributes, primitive.draco);
+        for (const gltf::Attributes& target : primitive.targets) addAttributes(target, std::nullopt);
+        if (primitive.draco) addView(primitive.draco->view);
+        if (primitive.indices && !primitive.draco) addAccessor(*primitive.indices);
     }
 
     const Scene& scene_;

@@ -7,10 +7,6 @@
 namespace cleave {
 namespace {
 
-bool hasBytesOfView(const Scene& scene, uint32_t view) {
-    return !scene.buffers[scene.bufferViews[view].buffer].bytes.empty();
-}
-
 // Counts up to `most`, and returns `most` + 1 if there are more.
 size_t trianglesOf(const Scene& scene, const gltf::Mesh& mesh, size_t most) {
     size_t sum = 0;
@@ -48,6 +44,11 @@ std::array<size_t, 3> cornersOf(gltf::Mode mode, size_t i) {
     return {3 * i, 3 * i + 1, 3 * i + 2};
 }
 
+bool hasBytesOfView(const Scene& scene, uint32_t index) {
+    const gltf::BufferView& view = scene.bufferViews[index];
+    return !view.meshopt && !scene.buffers[view.buffer].bytes.empty();
+}
+
 bool hasBytes(const Scene& scene, uint32_t index) {
     const gltf::Accessor& accessor = scene.accessors[index];
     if (accessor.view && !hasBytesOfView(scene, *accessor.view)) return false;
@@ -56,6 +57,7 @@ bool hasBytes(const Scene& scene, uint32_t index) {
 }
 
 bool isReadable(const Scene& scene, const gltf::Primitive& primitive) {
+    if (primitive.draco) return false;  // what it is decompressed from is not there
     const auto position = primitive.attributes.find("POSITION");
     return position != primitive.attributes.end() && hasBytes(scene, position->second) &&
            (!primitive.indices || hasBytes(scene, *primitive.indices));

@@ -1,0 +1,256 @@
+#include "scene/draco_mesh.h"
+
+#include <draco/compression/mesh/mesh_edgebreaker_decoder.h>
+#include <draco/compression/mesh/mesh_sequential_decoder.h>
+#include <draco/core/varint_decoding.h>
+
+#include <cstring>
+#include <memory>
+#include <utility>
+
+#include "scene/check_format.h"
+#include "scene/refuse.h"
+
+namespace cleave {
+namespace {
+
+using gltf::ComponentType;
+
+// The encoder makes one attribute of each that glTF has, and far fewer data sets of seams.
+constexpr int kMostAttributes = 64;
+
+// Connectivity takes about so much for each triangle, and again for each set of seams.
+constexpr uint64_t kBytesPerTriangle = 64;
+
+struct Announced {
+    uint64_t triangles = 0;
+    uint64_t seams = 0;  // sets of attributes with edges of their own
+};
+
+// What is refused while the library is at work, which throws no exceptions of its own.
+class Limits {
+  public:
+    explicit Limits(const DracoRequest& request) : request_(request) {}
+    const std::string& complaint() const { return complaint_; }
+
+    bool allowConnectivity(const Announced& announced) {
+        if (request_.indices && announced.triangles * 3 != *request_.indices)
+            return complain(std::to_string(announced.triangles) + " triangles, and its accessor has " +
+                            std::to_string(*request_.indices) + " indices");
+        return allowBytes(announced.triangles * kBytesPerTriangle * (1 + announced.seams));
+    }
+
+    // The values of attributes are not there yet.
+    bool allowAttributes(const draco::PointCloud& cloud) {
+        const uint64_t vertices = cloud.num_points();
+        if (request_.vertices && vertices != *request_.vertices)
+            return complain(std::to_string(vertices) + " vertices, and its accessors have " +
+                            std::to_string(*request_.vertices));
+        if (cloud.num_attributes() > kMostAttributes)
+            return complain(std::to_string(cloud.num_attributes()) + " attributes, and " +
+                            std::to_string(kMostAttributes) + " is the most that is allowed");
+        uint64_t each = 0;
+        for (int i = 0; i < cloud.num_attributes(); ++i) {
+            const draco::PointAttribute& attribute = *cloud.attribute(i);
+            const int length = draco::DataTypeLength(attribute.data_type());
+            if (length <= 0) return complain("an attribute of a type that is not known");
+            each += attribute.num_components() * (uint64_t(length) + sizeof(int32_t));
+        }
+        return allowBytes(vertices * each);
+    }
+
+  private:
+    bool complain(const std::string& what) {
+        complaint_ = " has " + what;
+        return false;
+    }
+    bool allowBytes(uint64_t bytes) {
+        return bytes <= request_.mostBytes ||
+               complain("so many triangles and attributes that they take " + std::to_string(bytes) + " bytes, and " +
+                        std::to_string(request_.mostBytes) + " is the most that is left for the scene");
+    }
+
+    const DracoRequest& request_;
+    std::string complaint_;
+};
+
+// Reads the counts at the beginning of the connectivity, which the decoder has not come to yet. Draco's bitstream
+// specification, sections 5.1 (ParseEdgebreakerConnectivityData) and 4.1 (DecodeSequentialConnectivityData).
+bool peek(draco::DecoderBuffer buffer, const draco::MeshEdgebreakerDecoder&, Announced& announced) {
+    uint32_t vertices = 0;
+    uint32_t triangles = 0;
+    uint8_t seams = 0;
+    const bool good =
+        draco::DecodeVarint(&vertices, &buffer) && draco::DecodeVarint(&triangles, &buffer) && buffer.Decode(&seams);
+    announced = {triangles, seams};
+    return good;
+}
+
+bool peek(draco::DecoderBuffer buffer, const draco::MeshSequentialDecoder&, Announced& announced) {
+    uint32_t triangles = 0;
+    const bool good = draco::DecodeVarint(&triangles, &buffer);
+    announced = {triangles, 0};
+    return good;
+}
+
+// A decoder of the library that stops where the limits say so.
+template <typename Decoder>
+class LimitedDecoder : public Decoder {
+  public:
+    explicit LimitedDecoder(Limits& limits) : limits_(limits) {}
+
+  protected:
+    bool DecodeConnectivity() override {
+        Announced announced;
+        return peek(*this->buffer(), *this, announced) && limits_.allowConnectivity(announced) &&
+               Decoder::DecodeConnectivity();
+    }
+    bool DecodeAllAttributes() override {
+        return limits_.allowAttributes(*this->point_cloud()) && Decoder::DecodeAllAttributes();
+    }
+
+  private:
+    Limits& limits_;
+};
+
+std::unique_ptr<draco::MeshDecoder> decoderOf(const draco::DracoHeader& header, Limits& limits) {
+    if (header.encoder_type != draco::TRIANGULAR_MESH) return nullptr;
+    if (header.encoder_method == draco::MESH_EDGEBREAKER_ENCODING)
+        return std::make_unique<LimitedDecoder<draco::MeshEdgebreakerDecoder>>(limits);
+    if (header.encoder_method == draco::MESH_SEQUENTIAL_ENCODING)
+        return std::make_unique<LimitedDecoder<draco::MeshSequentialDecoder>>(limits);
+    return nullptr;
+}
+
+draco::DecoderBuffer bufferOf(std::span<const unsigned char> bytes) {
+    draco::DecoderBuffer buffer;
+    buffer.Init(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    return buffer;
+}
+
+void decode(std::span<const unsigned char> bytes, const DracoRequest& request, const std::string& where,
+            draco::Mesh& mesh) {
+    draco::DecoderBuffer start = bufferOf(bytes);
+    draco::DracoHeader header{};
+    if (!draco::PointCloudDecoder::DecodeHeader(&start, &header).ok()) refuseGltf(where + " is no Draco data");
+    if (header.version_major != draco::kDracoMeshBitstreamVersionMajor ||
+        header.version_minor != draco::kDracoMeshBitstreamVersionMinor)
+        refuseGltf(where + " is of Draco's version " + std::to_string(header.version_major) + "." +
+                       std::to_string(header.version_minor) + ", and KHR_draco_mesh_compression means 2.2",
+                   "compress it once more");
+    Limits limits(request);
+    const std::unique_ptr<draco::MeshDecoder> decoder = decoderOf(header, limits);
+    if (decoder == nullptr) refuseGltf(where + " is Draco data, and no mesh");
+    draco::DecoderBuffer buffer = bufferOf(bytes);
+    const draco::Status status = decoder->Decode(draco::DecoderOptions(), &buffer, &mesh);
+    if (!limits.complaint().empty()) refuseGltf(where + limits.complaint());
+    if (!status.ok()) refuseGltf(where + " cannot be decompressed by Draco: it is broken");
+}
+
+template <typename From, typename To>
+bool convert(const unsigned char* from, unsigned char* to) {
+    From value;
+    std::memcpy(&value, from, sizeof(value));
+    if (!std::in_range<To>(value)) return false;
+    const To converted = To(value);
+    std::memcpy(to, &converted, sizeof(converted));
+    return true;
+}
+
+template <typename From>
+bool convertTo(ComponentType type, const unsigned char* from, unsigned char* to) {
+    switch (type) {
+        case ComponentType::int8:
+            return convert<From, int8_t>(from, to);
+        case ComponentType::uint8:
+            return convert<From, uint8_t>(from, to);
+        case ComponentType::int16:
+            return convert<From, int16_t>(from, to);
+        case ComponentType::uint16:
+            return convert<From, uint16_t>(from, to);
+        case ComponentType::uint32:
+            return convert<From, uint32_t>(from, to);
+        case ComponentType::float32:
+            break;
+    }
+    return false;
+}
+
+// Copies a component. Whole numbers may be stored wider or narrower than their accessor says, if they fit.
+bool copyComponent(draco::DataType stored, ComponentType type, const unsigned char* from, unsigned char* to) {
+    switch (stored) {
+        case draco::DT_INT8:
+            return convertTo<int8_t>(type, from, to);
+        case draco::DT_UINT8:
+            return convertTo<uint8_t>(type, from, to);
+        case draco::DT_INT16:
+            return convertTo<int16_t>(type, from, to);
+        case draco::DT_UINT16:
+            return convertTo<uint16_t>(type, from, to);
+        case draco::DT_INT32:
+            return convertTo<int32_t>(type, from, to);
+        case draco::DT_UINT32:
+            return convertTo<uint32_t>(type, from, to);
+        case draco::DT_FLOAT32:
+            if (type != ComponentType::float32) return false;
+            std::memcpy(to, from, sizeof(float));
+            return true;
+        default:
+            return false;
+    }
+}
+
+// Returns the values of an attribute by vertex.
+std::vector<unsigned char> valuesOf(const draco::Mesh& mesh, const DracoAttribute& asked, const std::string& where) {
+    const std::string name = where + ".attributes." + asked.name;
+    const draco::PointAttribute* attribute = mesh.GetAttributeByUniqueId(asked.id);
+    if (attribute == nullptr)
+        refuseGltf(name + " is " + std::to_string(asked.id) + ", and its Draco data has no such attribute");
+    if (attribute->num_components() != asked.components)
+        refuseGltf(name + " has " + std::to_string(attribute->num_components()) + " components, and its accessor has " +
+                   std::to_string(asked.components));
+    const size_t size = componentSize(asked.type);
+    const auto storedSize = size_t(draco::DataTypeLength(attribute->data_type()));
+    const size_t storedStride = storedSize * asked.components;
+    const draco::DataBuffer& stored = *attribute->buffer();
+    std::vector<unsigned char> values(mesh.num_points() * asked.components * size);
+    unsigned char* to = values.data();
+    for (uint32_t vertex = 0; vertex < mesh.num_points(); ++vertex) {
+        const uint64_t entry = attribute->mapped_index(draco::PointIndex(vertex)).value();
+        if ((entry + 1) * storedStride > stored.data_size()) refuseGltf(name + " lacks values of its vertices");
+        const unsigned char* from = stored.data() + entry * storedStride;
+        for (size_t k = 0; k < asked.components; ++k, from += storedSize, to += size)
+            if (!copyComponent(attribute->data_type(), asked.type, from, to))
+                refuseGltf(name + " holds values that are not of the type that its accessor says");
+    }
+    return values;
+}
+
+std::vector<uint32_t> indicesOf(const draco::Mesh& mesh, const std::string& where) {
+    std::vector<uint32_t> indices;
+    indices.reserve(size_t(mesh.num_faces()) * 3);
+    for (uint32_t i = 0; i < mesh.num_faces(); ++i)
+        for (const draco::PointIndex& corner : mesh.face(draco::FaceIndex(i))) {
+            if (corner.value() >= mesh.num_points()) refuseGltf(where + " has a triangle without a vertex");
+            indices.push_back(corner.value());
+        }
+    return indices;
+}
+
+}  // namespace
+
+DracoMesh decompressDracoMesh(std::span<const unsigned char> bytes, const DracoRequest& request,
+                              const std::string& where) {
+    draco::Mesh mesh;
+    decode(bytes, request, where, mesh);
+    DracoMesh result;
+    result.vertices = mesh.num_points();
+    result.indices = indicesOf(mesh, where);
+    if (request.indices && result.indices.size() != *request.indices)
+        refuseGltf(where + " has other counts in its head than in its body");
+    for (const DracoAttribute& attribute : request.attributes)
+        result.attributes.push_back(valuesOf(mesh, attribute, where));
+    return result;
+}
+
+}  // namespace cleave
