@@ -44,9 +44,8 @@ std::array<size_t, 3> cornersOf(gltf::Mode mode, size_t i) {
     return {3 * i, 3 * i + 1, 3 * i + 2};
 }
 
-bool hasBytesOfView(const Scene& scene, uint32_t index) {
-    const gltf::BufferView& view = scene.bufferViews[index];
-    return !view.meshopt && !scene.buffers[view.buffer].bytes.empty();
+bool hasBytesOfView(const Scene& scene, uint32_t view) {
+    return !scene.buffers[scene.bufferViews[view].buffer].bytes.empty();
 }
 
 bool hasBytes(const Scene& scene, uint32_t index) {
