@@ -141,11 +141,11 @@ struct TextureUse {
 struct Material {
     std::string name;
     glm::vec4 baseColour{1.0f};  // linear RGBA in [0, 1], the base colour factor
-    float metallic = 1.0f;
+    float metallic = 1.0f;       // in [0, 1], as roughness, emissive and occlusionStrength
     float roughness = 1.0f;
-    glm::vec3 emissive{0.0f};
-    float emissiveStrength = 1.0f;
-    float normalScale = 1.0f;
+    glm::vec3 emissive{0.0f};       // linear RGB
+    float emissiveStrength = 1.0f;  // 0 or more, finite
+    float normalScale = 1.0f;       // finite
     float occlusionStrength = 1.0f;
     std::optional<TextureUse> baseColourTexture;
     std::optional<TextureUse> metallicRoughnessTexture;
@@ -195,11 +195,11 @@ enum class LightType { directional, point, spot };
 struct Light {
     std::string name;
     LightType type = LightType::point;
-    glm::dvec3 colour{1.0};
-    double intensity = 1.0;
-    double range = std::numeric_limits<double>::infinity();
-    double innerConeAngle = 0.0;
-    double outerConeAngle = 0.7853981633974483;  // pi / 4
+    glm::dvec3 colour{1.0};  // linear RGB, 0 or more
+    double intensity = 1.0;  // 0 or more; lux of a directional light, candela of the others
+    double range = std::numeric_limits<double>::infinity();  // more than 0
+    double innerConeAngle = 0.0;                             // from 0 to outerConeAngle
+    double outerConeAngle = 0.7853981633974483;              // pi / 4; at most pi / 2
 };
 
 struct Camera {

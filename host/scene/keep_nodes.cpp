@@ -1,4 +1,6 @@
 // Keeps meshes, nodes, skins, cameras and lights.
+#include <numbers>
+
 #include "scene/gltf_keep.h"
 #include "scene/keep_values.h"
 
@@ -81,12 +83,12 @@ gltf::Light lightOf(const Json& source) {
     light.type = type == "directional" ? gltf::LightType::directional
                  : type == "spot"      ? gltf::LightType::spot
                                        : gltf::LightType::point;
-    light.colour = vectorOf<3>(source, "color", light.colour);
-    light.intensity = numberOf(source, "intensity", light.intensity);
-    light.range = numberOf(source, "range", light.range);
+    light.colour = glm::max(vectorOf<3>(source, "color", light.colour), 0.0);
+    light.intensity = std::max(numberOf(source, "intensity", light.intensity), 0.0);
+    if (const double range = numberOf(source, "range", light.range); range > 0.0) light.range = range;
     if (const Json* spot = member(source, "spot")) {
-        light.innerConeAngle = numberOf(*spot, "innerConeAngle", light.innerConeAngle);
-        light.outerConeAngle = numberOf(*spot, "outerConeAngle", light.outerConeAngle);
+        light.outerConeAngle = clampedOf(*spot, "outerConeAngle", light.outerConeAngle, 0.0, std::numbers::pi / 2.0);
+        light.innerConeAngle = clampedOf(*spot, "innerConeAngle", 0.0, 0.0, light.outerConeAngle);
     }
     return light;
 }

@@ -1,10 +1,9 @@
 #include "scene/read_buffers.h"
 
-#include <tiny_gltf.h>
-
 #include "scene/check_values.h"
 #include "scene/gltf_uri.h"
 #include "scene/instances.h"
+#include "scene/uri_bytes.h"
 
 namespace cleave {
 namespace {
@@ -54,20 +53,11 @@ class Needs {
     std::vector<Need> needs_;
 };
 
-std::vector<unsigned char> bytesOfUri(const GltfFile& file, const std::string& uri) {
-    if (!isDataUri(uri)) return readBytes(pathOfUri(file.path.parent_path(), uri));
-    std::vector<unsigned char> bytes;
-    std::string mimeType;
-    if (!tinygltf::IsDataURI(uri) || !tinygltf::DecodeDataURI(&bytes, mimeType, uri, 0, false))
-        refuseGltf("the data URI '" + uri.substr(0, 40) + "...' cannot be decoded");
-    return bytes;
-}
-
 std::vector<unsigned char> bytesOf(GltfFile& file, size_t index, uint64_t byteLength) {
     const Json& buffer = file.document["buffers"][index];
     const Json* uri = member(buffer, "uri");
     std::vector<unsigned char> bytes =
-        uri != nullptr ? bytesOfUri(file, uri->get<std::string>()) : std::move(file.data);
+        uri != nullptr ? bytesOfUri(file.path.parent_path(), uri->get<std::string>()) : std::move(file.data);
     if (bytes.size() < byteLength)
         refuseGltf(at("buffers", index) + " has " + std::to_string(bytes.size()) + " bytes, and byteLength says " +
                    std::to_string(byteLength));
