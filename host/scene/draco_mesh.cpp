@@ -1,5 +1,6 @@
 #include "scene/draco_mesh.h"
 
+#include <draco/compression/entropy/symbol_decoding.h>
 #include <draco/compression/mesh/mesh_edgebreaker_decoder.h>
 #include <draco/compression/mesh/mesh_sequential_decoder.h>
 #include <draco/core/varint_decoding.h>
@@ -59,11 +60,17 @@ class Limits {
         return allowBytes(vertices * each);
     }
 
-  private:
+    // Takes a count of orientations, of which a value has one at most.
+    bool allowOrientations(int64_t count, size_t values) {
+        return (count >= 0 && uint64_t(count) <= values) ||
+               complain(std::to_string(count) + " orientations for " + std::to_string(values) + " values");
+    }
     bool complain(const std::string& what) {
         complaint_ = " has " + what;
         return false;
     }
+
+  private:
     bool allowBytes(uint64_t bytes) {
         return bytes <= request_.mostBytes ||
                complain("so many triangles and attributes that they take " + std::to_string(bytes) + " bytes, and " +
@@ -93,11 +100,50 @@ bool peek(draco::DecoderBuffer buffer, const draco::MeshSequentialDecoder&, Anno
     return good;
 }
 
+// Skips the corrections of predicted whole numbers (SequentialIntegerAttributeDecoder::DecodeIntegerValues).
+bool skipCorrections(draco::DecoderBuffer& buffer, size_t values, int components) {
+    const size_t numbers = values * size_t(components);
+    uint8_t isCompressed = 0;
+    uint8_t size = 0;
+    if (!buffer.Decode(&isCompressed)) return false;
+    if (isCompressed > 0) {
+        std::vector<uint32_t> symbols(numbers);
+        return draco::DecodeSymbols(uint32_t(numbers), components, &buffer, symbols.data());
+    }
+    if (!buffer.Decode(&size) || uint64_t(buffer.remaining_size()) < size * numbers) return false;
+    buffer.Advance(int64_t(size * numbers));
+    return true;
+}
+
+// Looks at the data of a prediction scheme, whose number is the byte before the last one that was read. The library
+// takes any count of the orientations of texture coordinates, and is busy for a minute with 2^31 of them.
+bool isBounded(draco::DecoderBuffer buffer, const draco::PointAttribute& attribute, size_t values, Limits& limits) {
+    if (buffer.decoded_size() < 2) return true;
+    const int8_t scheme = buffer.data_head()[-2];
+    if (scheme == draco::MESH_PREDICTION_TEX_COORDS_DEPRECATED)
+        return limits.complain("texture coordinates by a prediction that is no longer written");
+    int32_t orientations = 0;
+    if (scheme != draco::MESH_PREDICTION_TEX_COORDS_PORTABLE ||
+        !skipCorrections(buffer, values, attribute.num_components()) || !buffer.Decode(&orientations))
+        return true;  // the library finds what is wrong
+    return limits.allowOrientations(orientations, values);
+}
+
 // A decoder of the library that stops where the limits say so.
 template <typename Decoder>
 class LimitedDecoder : public Decoder {
   public:
     explicit LimitedDecoder(Limits& limits) : limits_(limits) {}
+
+    // The library asks for this when it has read the number of a prediction scheme, and nothing of its data.
+    const draco::MeshAttributeIndicesEncodingData* GetAttributeEncodingData(int id) const override {
+        const auto* data = Decoder::GetAttributeEncodingData(id);
+        draco::DecoderBuffer& buffer = *const_cast<LimitedDecoder*>(this)->buffer();
+        if (data != nullptr && !isBounded(buffer, *this->point_cloud()->attribute(id),
+                                          data->encoded_attribute_value_index_to_corner_map.size(), limits_))
+            buffer.Advance(buffer.remaining_size());  // whatever it reads next fails
+        return data;
+    }
 
   protected:
     bool DecodeConnectivity() override {

@@ -256,6 +256,44 @@ TEST(Draco, boundsWhatDataMayBecome) {
     }
 }
 
+// The library takes any count of the orientations by which texture coordinates are predicted. Wherever in the data it
+// is: a large one is refused before it is counted to, which takes a minute.
+TEST(Draco, boundsThePredictionOfTextureCoordinates) {
+    constexpr uint32_t n = 3;
+    constexpr size_t kVertices = (n + 1) * (n + 1);
+    draco::Mesh mesh;
+    fillGrid(mesh, n);
+    Floats coordinates;
+    for (size_t i = 0; i < kVertices; ++i)
+        coordinates.insert(coordinates.end(), {float(i % (n + 1)) / n, float(i / (n + 1)) / n});
+    addDracoAttribute(mesh, draco::GeometryAttribute::TEX_COORD, draco::DT_FLOAT32, coordinates, 2);
+    draco::Encoder encoder;
+    encoder.SetSpeedOptions(3, 3);
+    encoder.SetAttributeQuantization(draco::GeometryAttribute::POSITION, 10);
+    encoder.SetAttributeQuantization(draco::GeometryAttribute::TEX_COORD, 10);
+    draco::EncoderBuffer buffer;
+    ASSERT_TRUE(encoder.EncodeMeshToBuffer(mesh, &buffer).ok());
+
+    Document document;
+    const int view = document.addView({buffer.data(), buffer.size()});
+    document.addMesh(addDracoAccessor(document, 5126, kVertices, "VEC3"),
+                     addDracoAccessor(document, 5123, 6 * n * n, "SCALAR"));
+    document.primitive()["attributes"]["TEXCOORD_0"] = addDracoAccessor(document, 5126, kVertices, "VEC2");
+    document.primitive()["extensions"]["KHR_draco_mesh_compression"] = {
+        {"bufferView", view}, {"attributes", {{"POSITION", 0}, {"TEXCOORD_0", 1}}}};
+    const Scene scene = sceneOf(document);
+    const AccessorValues values(scene, scene.meshes[0].primitives[0].attributes.at("TEXCOORD_0"));
+    ASSERT_EQ(values.count(), kVertices);
+
+    size_t found = 0;
+    for (size_t at = 11; at + 4 <= document.data.size(); ++at) {
+        Document spoilt = document;
+        spoilt.data.replace(at, 4, "\xFF\xFF\xFF\x7F");
+        found += refusal(spoilt).find("has 2147483647 orientations for 16 values") == std::string::npos ? 0 : 1;
+    }
+    EXPECT_EQ(found, 1u);
+}
+
 // Whatever the bytes are: a scene, or a sentence.
 TEST(Draco, survivesSpoiltBytes) {
     constexpr unsigned kSeed = 1;
