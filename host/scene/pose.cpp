@@ -26,8 +26,11 @@ std::string nameOf(const Scene& scene, uint32_t node) {
 // The scene while it is posed.
 class Posing {
   public:
-    Posing(const Scene& scene, const PoseTime& time, size_t mostTriangles)
-        : scene_(scene), budget_{mostTriangles, kTermsPerTriangle * mostTriangles}, states_(restStates(scene)) {
+    Posing(const Scene& scene, const PoseTime& time, size_t mostTriangles, Detail detail)
+        : scene_(scene),
+          detail_(detail),
+          budget_{mostTriangles, kTermsPerTriangle * mostTriangles},
+          states_(restStates(scene)) {
         posed_.name = scene.name;
         animate(scene, time, states_, warnings_);
         std::vector<glm::dmat4> local;
@@ -40,6 +43,7 @@ class Posing {
 
     PosedScene run() {
         for (uint32_t node : shownNodes(scene_)) addNode(node);
+        completeCorners(posed_);
         warnOfNonFinite();
         posed_.warnings = warnings_.list();
         return std::move(posed_);
@@ -89,7 +93,7 @@ class Posing {
     std::vector<PosablePrimitive> primitivesOf(const gltf::Node& node, const Deformation& deformation, size_t instances,
                                                const std::string& name) {
         const std::vector<gltf::Primitive>& all = scene_.meshes[*node.mesh].primitives;
-        MeshPosing posing{scene_, deformation, instances, budget_, posed_.leftOut, warnings_};
+        MeshPosing posing{scene_, deformation, instances, detail_, budget_, posed_.leftOut, warnings_};
         std::vector<PosablePrimitive> primitives;
         for (size_t p = 0; p < all.size(); ++p)
             if (auto primitive = posing.prepare(all[p], name + ", primitive " + std::to_string(p)))
@@ -117,6 +121,7 @@ class Posing {
     }
 
     const Scene& scene_;
+    Detail detail_;
     Budget budget_;
     Warnings warnings_;
     std::vector<NodeState> states_;
@@ -127,8 +132,8 @@ class Posing {
 
 }  // namespace
 
-PosedScene pose(const Scene& scene, const PoseTime& time, size_t mostTriangles) {
-    return naming("cannot pose '" + scene.name + "'", [&] { return Posing(scene, time, mostTriangles).run(); });
+PosedScene pose(const Scene& scene, const PoseTime& time, size_t mostTriangles, Detail detail) {
+    return naming("cannot pose '" + scene.name + "'", [&] { return Posing(scene, time, mostTriangles, detail).run(); });
 }
 
 }  // namespace cleave

@@ -5,14 +5,57 @@
 #include "scene/triangle_count.h"
 
 namespace cleave {
+namespace {
+
+const glm::vec4 kWhite(1.0f);
+
+template <typename Value>
+void complete(std::vector<Value>& values, size_t size, const Value& without) {
+    if (!values.empty()) values.resize(size, without);
+}
+
+}  // namespace
 
 void PosablePrimitive::appendTo(PosedScene& posed, const glm::dmat4& toWorld) const {
+    if (surface_) appendCorners(posed.corners, 3 * posed.triangles.size(), toWorld);
     for (size_t i = 0; i < count_; ++i) {
         const std::array<size_t, 3> corner = cornersOf(mode_, i);
         auto vertex = [&](size_t k) { return vertices_.at(indices_[corner[k]], toWorld); };
         posed.triangles.push_back({vertex(0), vertex(1), vertex(2)});
         posed.materialOf.push_back(material_);
     }
+}
+
+// Triangles before corner `first` that have nothing are given what they are without.
+void PosablePrimitive::appendCorners(CornerAttributes& corners, size_t first, const glm::dmat4& toWorld) const {
+    const auto forCorners = [&](const auto& append) {
+        for (size_t i = 0; i < count_; ++i)
+            for (const size_t corner : cornersOf(mode_, i)) append(indices_[corner]);
+    };
+    if (surface_->hasNormals()) {
+        corners.normals.resize(first, vec3(0.0f));
+        const glm::dmat3 ofNode = normalMatrix(toWorld);
+        forCorners([&](size_t vertex) {
+            const glm::dmat3& matrix = vertices_.hasJoints() ? normalMatrix(vertices_.skinMatrix(vertex)) : ofNode;
+            corners.normals.push_back(unitOrZero(matrix * surface_->normal(vertex)));
+        });
+    }
+    for (size_t set = 0; set < 2; ++set)
+        if (surface_->hasTexCoords(set)) {
+            corners.texCoords[set].resize(first, glm::vec2(0.0f));
+            forCorners([&](size_t vertex) { corners.texCoords[set].push_back(surface_->texCoord(set, vertex)); });
+        }
+    if (surface_->hasColours()) {
+        corners.colours.resize(first, kWhite);
+        forCorners([&](size_t vertex) { corners.colours.push_back(surface_->colour(vertex)); });
+    }
+}
+
+void completeCorners(PosedScene& posed) {
+    const size_t size = 3 * posed.triangles.size();
+    complete(posed.corners.normals, size, vec3(0.0f));
+    for (std::vector<glm::vec2>& set : posed.corners.texCoords) complete(set, size, glm::vec2(0.0f));
+    complete(posed.corners.colours, size, kWhite);
 }
 
 std::optional<PosablePrimitive> MeshPosing::prepare(const gltf::Primitive& primitive, const std::string& where) {
@@ -31,11 +74,14 @@ std::optional<PosablePrimitive> MeshPosing::prepare(const gltf::Primitive& primi
     if (deformation.joints != nullptr && vertices.terms() == 1)
         warnings.add(where + " is skinned, and has no JOINTS_0 or no WEIGHTS_0: it is placed by its node");
     const size_t count = triangleCount(primitive.mode, indexCount);
-    spend(count, vertices.terms());
+    std::optional<SurfaceVertices> surface;
+    if (detail == Detail::corners) surface.emplace(scene, primitive, deformation, where, warnings);
+    spend(count, vertices.terms() + (surface ? surface->terms() : 0));
     VertexIndices indices(scene, primitive.indices, vertices.count());
     if (count == 0) return std::nullopt;
     const uint32_t material = primitive.material.value_or(uint32_t(scene.materials.size() - 1));
-    return PosablePrimitive(std::move(vertices), std::move(indices), primitive.mode, count, material);
+    return PosablePrimitive(std::move(vertices), std::move(surface), std::move(indices), primitive.mode, count,
+                            material);
 }
 
 // Returns whether the primitive can be read. If not, it is counted, and a warning says why.

@@ -7,6 +7,7 @@
 #include "scene/pose.h"
 #include "scene/posed_vertices.h"
 #include "scene/refuse.h"
+#include "scene/surface_vertices.h"
 
 namespace cleave {
 
@@ -19,8 +20,10 @@ struct Budget {
 // A primitive that makes triangles, to be placed once or many times. The scene and the joints outlive it.
 class PosablePrimitive {
   public:
-    PosablePrimitive(PosedVertices vertices, VertexIndices indices, gltf::Mode mode, size_t count, uint32_t material)
+    PosablePrimitive(PosedVertices vertices, std::optional<SurfaceVertices> surface, VertexIndices indices,
+                     gltf::Mode mode, size_t count, uint32_t material)
         : vertices_(std::move(vertices)),
+          surface_(std::move(surface)),
           indices_(std::move(indices)),
           mode_(mode),
           count_(count),
@@ -29,18 +32,25 @@ class PosablePrimitive {
     void appendTo(PosedScene& posed, const glm::dmat4& toWorld) const;
 
   private:
+    void appendCorners(CornerAttributes& corners, size_t first, const glm::dmat4& toWorld) const;
+
     PosedVertices vertices_;
+    std::optional<SurfaceVertices> surface_;  // where corners are asked for
     VertexIndices indices_;
     gltf::Mode mode_;
     size_t count_;  // of triangles
     uint32_t material_;
 };
 
+// Gives corners what they are without where the last triangles have nothing; none of them if no triangle has it.
+void completeCorners(PosedScene& posed);
+
 // A node's mesh while it is posed: `instances` times.
 struct MeshPosing {
     const Scene& scene;
     const Deformation& deformation;
     size_t instances;
+    Detail detail;
     Budget& budget;
     std::map<std::string, uint64_t>& leftOut;
     Warnings& warnings;

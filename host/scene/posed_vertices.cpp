@@ -7,28 +7,6 @@
 namespace cleave {
 namespace {
 
-// Finds the accessor of a semantic, if there is such an attribute.
-gltf::Index find(const gltf::Attributes& attributes, const std::string& semantic) {
-    const auto it = attributes.find(semantic);
-    return it == attributes.end() ? gltf::Index() : gltf::Index(it->second);
-}
-
-struct MovingTarget {
-    uint32_t deltas;
-    double weight;
-};
-
-std::vector<MovingTarget> movingTargets(const gltf::Primitive& primitive, const Deformation& deformation) {
-    std::vector<MovingTarget> moving;
-    for (size_t i = 0; i < primitive.targets.size(); ++i) {
-        const double weight =
-            deformation.weights != nullptr && i < deformation.weights->size() ? (*deformation.weights)[i] : 0.0;
-        const gltf::Index deltas = find(primitive.targets[i], "POSITION");
-        if (deltas && weight != 0.0) moving.push_back({*deltas, weight});
-    }
-    return moving;
-}
-
 struct JointAccessors {
     uint32_t joints;
     uint32_t weights;
@@ -39,8 +17,8 @@ std::vector<JointAccessors> jointSets(const gltf::Primitive& primitive, const De
     std::vector<JointAccessors> sets;
     while (deformation.joints != nullptr) {
         const std::string set = std::to_string(sets.size());
-        const gltf::Index joints = find(primitive.attributes, "JOINTS_" + set);
-        const gltf::Index weights = find(primitive.attributes, "WEIGHTS_" + set);
+        const gltf::Index joints = attributeOf(primitive.attributes, "JOINTS_" + set);
+        const gltf::Index weights = attributeOf(primitive.attributes, "WEIGHTS_" + set);
         if (!joints || !weights) break;
         sets.push_back({*joints, *weights});
     }
@@ -57,7 +35,8 @@ vec3 transformed(const glm::dmat4& m, const glm::dvec3& p) {
 
 std::vector<uint32_t> accessorsOf(const gltf::Primitive& primitive, const Deformation& deformation) {
     std::vector<uint32_t> accessors{primitive.attributes.at("POSITION")};
-    for (const MovingTarget& target : movingTargets(primitive, deformation)) accessors.push_back(target.deltas);
+    for (const MorphTarget& target : movingTargets(primitive, deformation, "POSITION"))
+        accessors.push_back(target.deltas);
     for (const JointAccessors& set : jointSets(primitive, deformation)) {
         accessors.push_back(set.joints);
         accessors.push_back(set.weights);
@@ -68,7 +47,7 @@ std::vector<uint32_t> accessorsOf(const gltf::Primitive& primitive, const Deform
 PosedVertices::PosedVertices(const Scene& scene, const gltf::Primitive& primitive, const Deformation& deformation,
                              const std::string& where)
     : matrices_(deformation.joints), where_(where), positions_(scene, primitive.attributes.at("POSITION")) {
-    for (const MovingTarget& target : movingTargets(primitive, deformation))
+    for (const MorphTarget& target : movingTargets(primitive, deformation, "POSITION"))
         targets_.push_back({AccessorValues(scene, target.deltas), target.weight});
     for (const JointAccessors& set : jointSets(primitive, deformation))
         joints_.push_back({AccessorIntegers(scene, set.joints), AccessorValues(scene, set.weights)});
@@ -77,7 +56,7 @@ PosedVertices::PosedVertices(const Scene& scene, const gltf::Primitive& primitiv
 vec3 PosedVertices::at(size_t vertex, const glm::dmat4& toWorld) const {
     glm::dvec3 position = positions_.vec3(vertex);
     for (const Target& target : targets_) position += target.weight * target.deltas.vec3(vertex);
-    return transformed(joints_.empty() ? toWorld : skinMatrix(vertex), position);
+    return transformed(hasJoints() ? skinMatrix(vertex) : toWorld, position);
 }
 
 // Sums joint matrices by weight. Files round weights, so they are divided by their sum; a vertex without any

@@ -6,15 +6,10 @@
 #include <vector>
 
 #include "scene/accessor_view.h"
+#include "scene/morph_targets.h"
 #include "shared/language.h"
 
 namespace cleave {
-
-// The way that a node deforms the primitives of its mesh.
-struct Deformation {
-    const std::vector<double>* weights = nullptr;     // of morph targets; too few of them: the others are 0
-    const std::vector<glm::dmat4>* joints = nullptr;  // null: no skin
-};
 
 class PosedVertices {
   public:
@@ -27,10 +22,11 @@ class PosedVertices {
     // Returns the vertex in the world; `toWorld` counts where it has no joints. Throws Error if it has a joint that the
     // skin does not have.
     vec3 at(size_t vertex, const glm::dmat4& toWorld) const;
-
-  private:
+    bool hasJoints() const { return !joints_.empty(); }
+    // Returns what joints make of the vertex; there are some.
     glm::dmat4 skinMatrix(size_t vertex) const;
 
+  private:
     struct Target {
         AccessorValues deltas;
         double weight;
