@@ -82,23 +82,20 @@ class Posing {
         const bool hasSkin = node.skin && hasMatrices(*node.skin, name);
         const Deformation deformation{&states_[index].weights, hasSkin ? &skins_.of(*node.skin) : nullptr};
         const InstanceTransforms instances(scene_, node);
-        const std::vector<PosablePrimitive> primitives = primitivesOf(node, deformation, instances.count(), name);
+        MeshPosing posing{scene_, deformation, instances.count(), detail_, budget_, posed_.leftOut, warnings_};
+        std::vector<PosablePrimitive> primitives;  // where there are instances, which need all of them one by one
+        const std::vector<gltf::Primitive>& all = scene_.meshes[*node.mesh].primitives;
+        for (size_t p = 0; p < all.size(); ++p) {
+            auto primitive = posing.prepare(all[p], name + ", primitive " + std::to_string(p));
+            if (primitive && hasInstances(scene_, node))
+                primitives.push_back(std::move(*primitive));
+            else if (primitive)
+                primitive->appendTo(posed_, toWorld_[index]);
+        }
         for (size_t i = 0; i < instances.count() && !primitives.empty(); ++i) {
             const glm::dmat4 toWorld = toWorld_[index] * instances[i];
             for (const PosablePrimitive& primitive : primitives) primitive.appendTo(posed_, toWorld);
         }
-    }
-
-    // Returns the primitives of the node's mesh that make triangles.
-    std::vector<PosablePrimitive> primitivesOf(const gltf::Node& node, const Deformation& deformation, size_t instances,
-                                               const std::string& name) {
-        const std::vector<gltf::Primitive>& all = scene_.meshes[*node.mesh].primitives;
-        MeshPosing posing{scene_, deformation, instances, detail_, budget_, posed_.leftOut, warnings_};
-        std::vector<PosablePrimitive> primitives;
-        for (size_t p = 0; p < all.size(); ++p)
-            if (auto primitive = posing.prepare(all[p], name + ", primitive " + std::to_string(p)))
-                primitives.push_back(std::move(*primitive));
-        return primitives;
     }
 
     bool hasMatrices(uint32_t skin, const std::string& name) {
