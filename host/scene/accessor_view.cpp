@@ -104,6 +104,12 @@ double AccessorValues::scalar(size_t i) const {
     return bytes == nullptr ? 0.0 : component(bytes, 0, type_, normalized_);
 }
 
+glm::dvec2 AccessorValues::vec2(size_t i) const {
+    const unsigned char* bytes = elements_[i];
+    if (bytes == nullptr) return glm::dvec2(0.0);
+    return {component(bytes, 0, type_, normalized_), component(bytes, 1, type_, normalized_)};
+}
+
 glm::dvec3 AccessorValues::vec3(size_t i) const {
     const unsigned char* bytes = elements_[i];
     if (bytes == nullptr) return glm::dvec3(0.0);

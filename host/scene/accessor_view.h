@@ -42,6 +42,7 @@ class AccessorValues {
     AccessorValues(const Scene& scene, uint32_t accessor);
     size_t count() const { return elements_.count(); }
     double scalar(size_t i) const;
+    glm::dvec2 vec2(size_t i) const;
     glm::dvec3 vec3(size_t i) const;
     glm::dvec4 vec4(size_t i) const;
     glm::dmat4 mat4(size_t i) const;  // of floats

@@ -1,4 +1,5 @@
 // Checks buffers, bufferViews and accessors: offsets and counts fit what they lie in.
+#include "scene/check_compression.h"
 #include "scene/check_format.h"
 #include "scene/gltf_check.h"
 #include "scene/refuse.h"
@@ -23,8 +24,7 @@ void checkView(const Json& document, size_t index) {
     if (end > length)
         refuseGltf(where + " ends at byte " + std::to_string(end) + ", past the end of " + at("buffers", buffer) +
                    ", which has " + std::to_string(length));
-    if (const Json* meshopt = extensionOf(view, "EXT_meshopt_compression", where))
-        checkIndex(*meshopt, "buffer", targetOf(document, "buffers"), where + ".extensions.EXT_meshopt_compression");
+    checkMeshopt(document, view, where);
 }
 
 // Refuses unless `count` elements of `size` bytes lie within a bufferView, from `offset` on.
@@ -90,6 +90,7 @@ void checkBuffers(const Json& document) {
     for (size_t i = 0; i < buffers.size(); ++i) {
         checkCount(buffers[i], "byteLength", true, kMaxCount, at("buffers", i));
         checkText(buffers[i], "uri", at("buffers", i));
+        checkFallback(buffers[i], at("buffers", i));
     }
     const size_t views = objectsOf(document, "bufferViews").size();
     for (size_t i = 0; i < views; ++i) checkView(document, i);

@@ -1,4 +1,5 @@
 // Checks meshes: attributes, indices and morph targets are accessors of the right format, and of one count.
+#include "scene/check_compression.h"
 #include "scene/check_format.h"
 #include "scene/gltf_check.h"
 #include "scene/refuse.h"
@@ -27,23 +28,6 @@ void checkAttributes(const Json& document, const Json& attributes, const Json*& 
             refuseGltf(name + " has " + std::to_string(countOf(accessor)) + " elements, and the primitive has " +
                        std::to_string(countOf(*first)) + " vertices");
     }
-}
-
-// A compressed primitive may come with plain accessors to fall back on. Without, they would read as zeros.
-void checkDraco(const Json& document, const Json& primitive, const std::string& where) {
-    const Json* draco = extensionOf(primitive, "KHR_draco_mesh_compression", where);
-    if (draco == nullptr) return;
-    checkIndex(*draco, "bufferView", targetOf(document, "bufferViews"),
-               where + ".extensions.KHR_draco_mesh_compression");
-    const auto isPlain = [&](const Json& value) {
-        return document["accessors"][value.get<size_t>()].contains("bufferView");
-    };
-    const Json& attributes = primitive["attributes"];
-    const Json* position = member(attributes, "POSITION");
-    const Json* indices = member(primitive, "indices");
-    if (position == nullptr || !isPlain(*position) || (indices != nullptr && !isPlain(*indices)))
-        refuseGltf(where + " needs the extension KHR_draco_mesh_compression, which is not supported",
-                   "export it without that extension");
 }
 
 void checkVariants(const Json& document, const Json& primitive, const std::string& where) {

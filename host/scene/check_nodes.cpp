@@ -8,13 +8,30 @@
 namespace cleave {
 namespace {
 
+// Returns the format that an attribute of instances must have; null for custom ones, which nothing reads.
+const Format* instanceFormatOf(const std::string& semantic) {
+    if (semantic == "TRANSLATION" || semantic == "SCALE") return &kVec3Format;
+    return semantic == "ROTATION" ? &kRotationFormat : nullptr;
+}
+
+// All attributes of instances have one count (EXT_mesh_gpu_instancing), as many as there are instances.
 void checkInstancing(const Json& document, const Json& node, const std::string& where) {
     const Json* instancing = extensionOf(node, "EXT_mesh_gpu_instancing", where);
     const std::string name = where + ".extensions.EXT_mesh_gpu_instancing";
     const Json* attributes = instancing == nullptr ? nullptr : objectAt(*instancing, "attributes", name);
     if (attributes == nullptr) return;
-    for (const auto& [semantic, value] : attributes->items())
-        checkIndexValue(value, targetOf(document, "accessors"), name + "." + semantic);
+    const Json* first = nullptr;
+    for (const auto& [semantic, value] : attributes->items()) {
+        const std::string place = name + "." + semantic;
+        const Format* format = instanceFormatOf(semantic);
+        checkIndexValue(value, targetOf(document, "accessors"), place);
+        const Json& accessor = format != nullptr ? checkAccessorValue(document, value, *format, place)
+                                                 : document["accessors"][value.get<size_t>()];
+        if (first == nullptr) first = &accessor;
+        if (countOf(accessor) != countOf(*first))
+            refuseGltf(place + " has " + std::to_string(countOf(accessor)) + " elements, and the node has " +
+                       std::to_string(countOf(*first)) + " instances");
+    }
 }
 
 size_t lightCountOf(const Json& document) {

@@ -18,11 +18,26 @@ struct Buffer {
     uint64_t byteLength = 0;
 };
 
+enum class MeshoptMode { attributes, triangles, indices };
+enum class MeshoptFilter { none, octahedral, quaternion, exponential };
+
+// EXT_meshopt_compression: where the compressed bytes of a bufferView are, and how they become `count` elements.
+struct Meshopt {
+    uint32_t buffer = 0;
+    uint64_t byteOffset = 0;
+    uint64_t byteLength = 0;
+    uint64_t byteStride = 0;
+    uint64_t count = 0;
+    MeshoptMode mode = MeshoptMode::attributes;
+    MeshoptFilter filter = MeshoptFilter::none;
+};
+
 struct BufferView {
     uint32_t buffer = 0;
     uint64_t byteOffset = 0;
     uint64_t byteLength = 0;
-    uint64_t byteStride = 0;  // 0: elements are packed
+    uint64_t byteStride = 0;         // 0: elements are packed
+    std::optional<Meshopt> meshopt;  // until it is decompressed: it then is in a buffer of its own
 };
 
 enum class ComponentType { int8 = 5120, uint8 = 5121, int16 = 5122, uint16 = 5123, uint32 = 5125, float32 = 5126 };
@@ -51,12 +66,19 @@ enum class Mode { points, lines, lineLoop, lineStrip, triangles, triangleStrip, 
 
 using Attributes = std::map<std::string, uint32_t>;  // semantic -> accessor
 
+// KHR_draco_mesh_compression: the bufferView that holds indices and attributes of a primitive.
+struct Draco {
+    uint32_t view = 0;
+    std::map<std::string, uint32_t> ids;  // semantic -> what Draco calls the attribute
+};
+
 struct Primitive {
     Attributes attributes;
     Index indices;
     Index material;
     Mode mode = Mode::triangles;
     std::vector<Attributes> targets;
+    std::optional<Draco> draco;  // until it is decompressed: its accessors then are its own
 };
 
 struct Mesh {
@@ -73,6 +95,14 @@ struct Transform {
     std::optional<glm::dmat4> matrix;
 };
 
+// EXT_mesh_gpu_instancing: a mesh is shown `count` times. Accessors of that count; none: identity.
+struct Instancing {
+    uint64_t count = 0;
+    Index translations;
+    Index rotations;
+    Index scales;
+};
+
 struct Node {
     std::string name;
     std::vector<uint32_t> children;
@@ -82,7 +112,7 @@ struct Node {
     Index camera;
     Index light;
     std::vector<double> weights;  // take the place of the mesh's
-    bool instanced = false;       // by EXT_mesh_gpu_instancing
+    std::optional<Instancing> instancing;
 };
 
 struct SceneRoots {
@@ -111,11 +141,11 @@ struct TextureUse {
 struct Material {
     std::string name;
     glm::vec4 baseColour{1.0f};  // linear RGBA in [0, 1], the base colour factor
-    float metallic = 1.0f;
+    float metallic = 1.0f;       // in [0, 1], as roughness, emissive and occlusionStrength
     float roughness = 1.0f;
-    glm::vec3 emissive{0.0f};
-    float emissiveStrength = 1.0f;
-    float normalScale = 1.0f;
+    glm::vec3 emissive{0.0f};       // linear RGB
+    float emissiveStrength = 1.0f;  // 0 or more, finite
+    float normalScale = 1.0f;       // finite
     float occlusionStrength = 1.0f;
     std::optional<TextureUse> baseColourTexture;
     std::optional<TextureUse> metallicRoughnessTexture;
@@ -165,11 +195,11 @@ enum class LightType { directional, point, spot };
 struct Light {
     std::string name;
     LightType type = LightType::point;
-    glm::dvec3 colour{1.0};
-    double intensity = 1.0;
-    double range = std::numeric_limits<double>::infinity();
-    double innerConeAngle = 0.0;
-    double outerConeAngle = 0.7853981633974483;  // pi / 4
+    glm::dvec3 colour{1.0};  // linear RGB, 0 or more
+    double intensity = 1.0;  // 0 or more; lux of a directional light, candela of the others
+    double range = std::numeric_limits<double>::infinity();  // more than 0
+    double innerConeAngle = 0.0;                             // from 0 to outerConeAngle
+    double outerConeAngle = 0.7853981633974483;              // pi / 4; at most pi / 2
 };
 
 struct Camera {

@@ -19,11 +19,12 @@ void checkVersion(const Json& document) {
                    "convert it to glTF 2.0");
 }
 
-// Quantisation is implemented; the others change how surfaces look, and not where they are.
+// Those that say where surfaces are, which are read; the others change how they look.
 bool isKnownExtension(const std::string& name) {
-    constexpr std::array kKnown = {"KHR_mesh_quantization", "KHR_texture_transform", "KHR_texture_basisu",
-                                   "EXT_texture_webp",      "EXT_texture_avif",      "KHR_lights_punctual",
-                                   "KHR_xmp_json_ld"};
+    constexpr std::array kKnown = {
+        "KHR_mesh_quantization",   "KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression",
+        "EXT_mesh_gpu_instancing", "KHR_texture_transform",      "KHR_texture_basisu",      "EXT_texture_webp",
+        "EXT_texture_avif",        "KHR_lights_punctual",        "KHR_xmp_json_ld"};
     for (const char* known : kKnown)
         if (name == known) return true;
     return name.starts_with("KHR_materials_");

@@ -1,3 +1,4 @@
+#include "scene/check_compression.h"
 #include "scene/check_format.h"
 #include "scene/gltf_keep.h"
 #include "scene/keep_values.h"
@@ -28,6 +29,18 @@ gltf::Accessor accessorOf(const Json& source) {
     return accessor;
 }
 
+std::optional<gltf::Meshopt> meshoptOf(const Json& view) {
+    const char* name = meshoptNameOf(view);
+    if (name == nullptr) return std::nullopt;
+    const Json* source = extensionOf(view, name, "");
+    gltf::Meshopt meshopt{*indexOf(*source, "buffer"),    wholeOf(*source, "byteOffset"),
+                          wholeOf(*source, "byteLength"), wholeOf(*source, "byteStride"),
+                          wholeOf(*source, "count"),      meshoptModeOf(textOf(*source, "mode")).value(),
+                          gltf::MeshoptFilter::none};
+    if (source->contains("filter")) meshopt.filter = meshoptFilterOf(textOf(*source, "filter")).value();
+    return meshopt;
+}
+
 }  // namespace
 
 Scene keepGltf(const Json& document, Warnings& warnings) {
@@ -45,7 +58,7 @@ void keepData(const Json& document, Scene& scene) {
         scene.buffers.push_back({{}, wholeOf(buffer, "byteLength")});
     for (const Json& view : objectsOf(document, "bufferViews"))
         scene.bufferViews.push_back({*indexOf(view, "buffer"), wholeOf(view, "byteOffset"), wholeOf(view, "byteLength"),
-                                     wholeOf(view, "byteStride")});
+                                     wholeOf(view, "byteStride"), meshoptOf(view)});
     for (const Json& accessor : objectsOf(document, "accessors")) scene.accessors.push_back(accessorOf(accessor));
 }
 

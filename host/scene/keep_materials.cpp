@@ -1,6 +1,7 @@
 // Keeps materials, textures, samplers and images.
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "scene/gltf_keep.h"
 #include "scene/keep_values.h"
@@ -23,17 +24,19 @@ std::optional<gltf::TextureUse> textureUseOf(const Json& object, const char* nam
     return use;
 }
 
+constexpr double kLargest = std::numeric_limits<float>::max();
+
 // Reads the factor of a texture, which is a member of the texture's use.
-float factorOf(const Json& object, const char* texture, const char* name) {
+float factorOf(const Json& object, const char* texture, const char* name, double least, double most) {
     const Json* use = member(object, texture);
-    return use == nullptr ? 1.0f : float(numberOf(*use, name, 1.0));
+    return use == nullptr ? 1.0f : float(clampedOf(*use, name, 1.0, least, most));
 }
 
 void keepMetallicRoughness(const Json& source, gltf::Material& material) {
     const glm::dvec4 colour = vectorOf<4>(source, "baseColorFactor", glm::dvec4(1.0));
     for (int i = 0; i < 4; ++i) material.baseColour[i] = float(std::clamp(colour[i], 0.0, 1.0));
-    material.metallic = float(numberOf(source, "metallicFactor", 1.0));
-    material.roughness = float(numberOf(source, "roughnessFactor", 1.0));
+    material.metallic = float(clampedOf(source, "metallicFactor", 1.0, 0.0, 1.0));
+    material.roughness = float(clampedOf(source, "roughnessFactor", 1.0, 0.0, 1.0));
     material.baseColourTexture = textureUseOf(source, "baseColorTexture");
     material.metallicRoughnessTexture = textureUseOf(source, "metallicRoughnessTexture");
 }
@@ -50,16 +53,16 @@ gltf::Material materialOf(const Json& source, const std::string& where, Warnings
     gltf::Material material;
     material.name = textOf(source, "name");
     if (const Json* pbr = member(source, "pbrMetallicRoughness")) keepMetallicRoughness(*pbr, material);
-    material.emissive = glm::vec3(vectorOf<3>(source, "emissiveFactor", glm::dvec3(0.0)));
+    material.emissive = glm::vec3(glm::clamp(vectorOf<3>(source, "emissiveFactor", glm::dvec3(0.0)), 0.0, 1.0));
     if (const Json* emissive = extensionOf(source, "KHR_materials_emissive_strength", ""))
-        material.emissiveStrength = float(numberOf(*emissive, "emissiveStrength", 1.0));
-    material.normalScale = factorOf(source, "normalTexture", "scale");
-    material.occlusionStrength = factorOf(source, "occlusionTexture", "strength");
+        material.emissiveStrength = float(clampedOf(*emissive, "emissiveStrength", 1.0, 0.0, kLargest));
+    material.normalScale = factorOf(source, "normalTexture", "scale", -kLargest, kLargest);
+    material.occlusionStrength = factorOf(source, "occlusionTexture", "strength", 0.0, 1.0);
     material.normalTexture = textureUseOf(source, "normalTexture");
     material.occlusionTexture = textureUseOf(source, "occlusionTexture");
     material.emissiveTexture = textureUseOf(source, "emissiveTexture");
     material.alphaMode = alphaModeOf(source, where, warnings);
-    material.alphaCutoff = float(numberOf(source, "alphaCutoff", 0.5));
+    material.alphaCutoff = float(clampedOf(source, "alphaCutoff", 0.5, 0.0, kLargest));
     material.doubleSided = boolOf(source, "doubleSided");
     material.unlit = extensionOf(source, "KHR_materials_unlit", "") != nullptr;
     return material;

@@ -1,4 +1,6 @@
 // Keeps meshes, nodes, skins, cameras and lights.
+#include <numbers>
+
 #include "scene/gltf_keep.h"
 #include "scene/keep_values.h"
 
@@ -18,6 +20,8 @@ gltf::Primitive primitiveOf(const Json& source) {
     primitive.material = indexOf(source, "material");
     primitive.mode = gltf::Mode(wholeOf(source, "mode", 4));
     for (const Json& target : objectsOf(source, "targets")) primitive.targets.push_back(attributesOf(target));
+    if (const Json* draco = extensionOf(source, "KHR_draco_mesh_compression", ""))
+        primitive.draco = gltf::Draco{*indexOf(*draco, "bufferView"), attributesOf((*draco)["attributes"])};
     return primitive;
 }
 
@@ -34,7 +38,17 @@ gltf::Transform transformOf(const Json& node) {
     return transform;
 }
 
-gltf::Node nodeOf(const Json& source) {
+// A node without attributes of instances, of which nothing says how many there are, is an ordinary one.
+std::optional<gltf::Instancing> instancingOf(const Json& document, const Json& node) {
+    const Json* extension = extensionOf(node, "EXT_mesh_gpu_instancing", "");
+    const Json* attributes = extension == nullptr ? nullptr : member(*extension, "attributes");
+    if (attributes == nullptr || attributes->empty()) return std::nullopt;
+    const Json& any = document["accessors"][attributes->begin()->get<size_t>()];
+    return gltf::Instancing{wholeOf(any, "count"), indexOf(*attributes, "TRANSLATION"),
+                            indexOf(*attributes, "ROTATION"), indexOf(*attributes, "SCALE")};
+}
+
+gltf::Node nodeOf(const Json& document, const Json& source) {
     gltf::Node node;
     node.name = textOf(source, "name");
     node.children = listOf<uint32_t>(source, "children");
@@ -44,7 +58,7 @@ gltf::Node nodeOf(const Json& source) {
     node.camera = indexOf(source, "camera");
     if (const Json* light = extensionOf(source, "KHR_lights_punctual", "")) node.light = indexOf(*light, "light");
     node.weights = listOf<double>(source, "weights");
-    node.instanced = extensionOf(source, "EXT_mesh_gpu_instancing", "") != nullptr;
+    node.instancing = instancingOf(document, source);
     return node;
 }
 
@@ -69,12 +83,12 @@ gltf::Light lightOf(const Json& source) {
     light.type = type == "directional" ? gltf::LightType::directional
                  : type == "spot"      ? gltf::LightType::spot
                                        : gltf::LightType::point;
-    light.colour = vectorOf<3>(source, "color", light.colour);
-    light.intensity = numberOf(source, "intensity", light.intensity);
-    light.range = numberOf(source, "range", light.range);
+    light.colour = glm::max(vectorOf<3>(source, "color", light.colour), 0.0);
+    light.intensity = std::max(numberOf(source, "intensity", light.intensity), 0.0);
+    if (const double range = numberOf(source, "range", light.range); range > 0.0) light.range = range;
     if (const Json* spot = member(source, "spot")) {
-        light.innerConeAngle = numberOf(*spot, "innerConeAngle", light.innerConeAngle);
-        light.outerConeAngle = numberOf(*spot, "outerConeAngle", light.outerConeAngle);
+        light.outerConeAngle = clampedOf(*spot, "outerConeAngle", light.outerConeAngle, 0.0, std::numbers::pi / 2.0);
+        light.innerConeAngle = clampedOf(*spot, "innerConeAngle", 0.0, 0.0, light.outerConeAngle);
     }
     return light;
 }
@@ -90,7 +104,7 @@ void keepMeshes(const Json& document, Scene& scene) {
 }
 
 void keepNodes(const Json& document, Scene& scene) {
-    for (const Json& node : objectsOf(document, "nodes")) scene.nodes.push_back(nodeOf(node));
+    for (const Json& node : objectsOf(document, "nodes")) scene.nodes.push_back(nodeOf(document, node));
     for (const Json& source : objectsOf(document, "scenes"))
         scene.scenes.push_back({textOf(source, "name"), listOf<uint32_t>(source, "nodes")});
     scene.defaultScene = indexOf(document, "scene");

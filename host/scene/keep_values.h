@@ -1,6 +1,7 @@
 // Reads values of a checked document. Where a member is missing, a fallback or nothing stands for it.
 #pragma once
 
+#include <algorithm>
 #include <glm/glm.hpp>
 #include <string>
 #include <vector>
@@ -23,6 +24,11 @@ inline gltf::Index indexOf(const Json& object, const char* name) {
 inline double numberOf(const Json& object, const char* name, double fallback) {
     const Json* value = member(object, name);
     return value == nullptr ? fallback : value->get<double>();
+}
+
+// Reads a number of a limited range; what lies outside is brought to its end.
+inline double clampedOf(const Json& object, const char* name, double fallback, double least, double most) {
+    return std::clamp(numberOf(object, name, fallback), least, most);
 }
 
 inline bool boolOf(const Json& object, const char* name) {

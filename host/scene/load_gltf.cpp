@@ -1,4 +1,5 @@
-// loadGltf: read -> check -> keep, and the payload of the buffers that are needed.
+// loadGltf: read -> check -> keep, and the payload of the buffers that are needed, decompressed.
+#include "scene/decompress.h"
 #include "scene/gltf_check.h"
 #include "scene/gltf_file.h"
 #include "scene/gltf_keep.h"
@@ -17,6 +18,7 @@ Scene sceneOf(GltfFile file, size_t mostTriangles) {
     scene.folder = file.path.parent_path();
     checkImageFiles(scene, warnings);
     readBuffers(file, scene, warnings);
+    decompress(scene, mostTriangles);
     countTriangles(scene, mostTriangles);
     scene.warnings = warnings.list();
     return scene;

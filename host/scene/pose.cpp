@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "scene/animation.h"
+#include "scene/instances.h"
 #include "scene/node_transforms.h"
 #include "scene/place_camera.h"
 #include "scene/pose_primitive.h"
@@ -25,8 +26,11 @@ std::string nameOf(const Scene& scene, uint32_t node) {
 // The scene while it is posed.
 class Posing {
   public:
-    Posing(const Scene& scene, const PoseTime& time, size_t mostTriangles)
-        : scene_(scene), budget_{mostTriangles, kTermsPerTriangle * mostTriangles}, states_(restStates(scene)) {
+    Posing(const Scene& scene, const PoseTime& time, size_t mostTriangles, Detail detail)
+        : scene_(scene),
+          detail_(detail),
+          budget_{mostTriangles, kTermsPerTriangle * mostTriangles},
+          states_(restStates(scene)) {
         posed_.name = scene.name;
         animate(scene, time, states_, warnings_);
         std::vector<glm::dmat4> local;
@@ -39,6 +43,7 @@ class Posing {
 
     PosedScene run() {
         for (uint32_t node : shownNodes(scene_)) addNode(node);
+        completeCorners(posed_);
         warnOfNonFinite();
         posed_.warnings = warnings_.list();
         return std::move(posed_);
@@ -70,14 +75,27 @@ class Posing {
     void addMesh(uint32_t index) {
         const gltf::Node& node = scene_.nodes[index];
         const std::string name = nameOf(scene_, index);
-        if (node.instanced) warnings_.add(name + " has EXT_mesh_gpu_instancing: it is shown once");
+        if (node.instancing && !hasInstances(scene_, node))
+            warnings_.add(name + " is shown once: it has instances, and " +
+                          (node.skin ? "also a skin" : "their data is in a buffer that has no URI"));
         // A skinned mesh is where its joints are; its node's own transform does not count.
         const bool hasSkin = node.skin && hasMatrices(*node.skin, name);
-        const Placement placement{toWorld_[index], &states_[index].weights, hasSkin ? &skins_.of(*node.skin) : nullptr};
-        const std::vector<gltf::Primitive>& primitives = scene_.meshes[*node.mesh].primitives;
-        for (size_t p = 0; p < primitives.size(); ++p)
-            posePrimitive(scene_, primitives[p], placement, name + ", primitive " + std::to_string(p), budget_, posed_,
-                          warnings_);
+        const Deformation deformation{&states_[index].weights, hasSkin ? &skins_.of(*node.skin) : nullptr};
+        const InstanceTransforms instances(scene_, node);
+        MeshPosing posing{scene_, deformation, instances.count(), detail_, budget_, posed_.leftOut, warnings_};
+        std::vector<PosablePrimitive> primitives;  // where there are instances, which need all of them one by one
+        const std::vector<gltf::Primitive>& all = scene_.meshes[*node.mesh].primitives;
+        for (size_t p = 0; p < all.size(); ++p) {
+            auto primitive = posing.prepare(all[p], name + ", primitive " + std::to_string(p));
+            if (primitive && hasInstances(scene_, node))
+                primitives.push_back(std::move(*primitive));
+            else if (primitive)
+                primitive->appendTo(posed_, toWorld_[index]);
+        }
+        for (size_t i = 0; i < instances.count() && !primitives.empty(); ++i) {
+            const glm::dmat4 toWorld = toWorld_[index] * instances[i];
+            for (const PosablePrimitive& primitive : primitives) primitive.appendTo(posed_, toWorld);
+        }
     }
 
     bool hasMatrices(uint32_t skin, const std::string& name) {
@@ -100,6 +118,7 @@ class Posing {
     }
 
     const Scene& scene_;
+    Detail detail_;
     Budget budget_;
     Warnings warnings_;
     std::vector<NodeState> states_;
@@ -110,8 +129,8 @@ class Posing {
 
 }  // namespace
 
-PosedScene pose(const Scene& scene, const PoseTime& time, size_t mostTriangles) {
-    return naming("cannot pose '" + scene.name + "'", [&] { return Posing(scene, time, mostTriangles).run(); });
+PosedScene pose(const Scene& scene, const PoseTime& time, size_t mostTriangles, Detail detail) {
+    return naming("cannot pose '" + scene.name + "'", [&] { return Posing(scene, time, mostTriangles, detail).run(); });
 }
 
 }  // namespace cleave

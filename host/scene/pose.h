@@ -1,6 +1,7 @@
 // Posing: a scene at a time becomes triangles, cameras and lights in the world.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <map>
@@ -21,10 +22,18 @@ struct PlacedLight {
     glm::dvec3 direction{0.0, 0.0, -1.0};  // unit length; a directional light or a spot shines that way
 };
 
+// What surfaces look like at the corners of triangles, three for each; empty where no triangle of the scene has it.
+struct CornerAttributes {
+    std::vector<vec3> normals;                        // in the world, of unit length; zero: the triangle's own
+    std::array<std::vector<glm::vec2>, 2> texCoords;  // sets 0 and 1; where a triangle has none, zero
+    std::vector<glm::vec4> colours;                   // linear RGBA in [0, 1]; where a triangle has none, white
+};
+
 struct PosedScene {
     std::string name;                         // of the scene, for messages
     std::vector<Triangle> triangles;          // world space, in scene order: the index is the number of a triangle
     std::vector<uint32_t> materialOf;         // of each triangle, an index into Scene::materials
+    CornerAttributes corners;                 // empty unless asked for
     std::vector<Camera> cameras;              // in the order of the scene's nodes
     std::vector<PlacedLight> lights;          // likewise
     std::map<std::string, uint64_t> leftOut;  // what makes no triangle ("points", "lines", ...) -> how many
@@ -36,16 +45,20 @@ struct PoseTime {
     std::vector<uint32_t> animations;  // played together; where two of them move the same thing, the earlier one counts
 };
 
+// How much of a scene is posed: triangles alone, or what surfaces look like at their corners too.
+enum class Detail { triangles, corners };
+
 // Returns the animation of that name or, failing that, of that number; of an empty text the first, if any. Throws
 // NotFound, listing the scene's animations, if there is no such animation.
 std::vector<uint32_t> chooseAnimation(const Scene& scene, const std::string& nameOrIndex);
 // Returns all of them.
 std::vector<uint32_t> allAnimations(const Scene& scene);
 
-// Poses a scene. Triangles are numbered: default scene (or the first), nodes depth-first in listed order, primitives in
-// order, triangles in index order. Positions are computed in double and rounded to float once. Before an animation's
-// first key its first value holds, after the last key the last one. Throws Error if the payload cannot be trusted, or
-// if there are more than `mostTriangles`.
-PosedScene pose(const Scene& scene, const PoseTime& time = {}, size_t mostTriangles = kMostTriangles);
+// Poses a scene. Triangles are numbered: default scene (or the first), nodes depth-first in listed order, instances in
+// order, primitives in order, triangles in index order. Positions are computed in double and rounded to float once.
+// Before an animation's first key its first value holds, after the last key the last one. Throws Error if the payload
+// cannot be trusted, or if there are more than `mostTriangles`.
+PosedScene pose(const Scene& scene, const PoseTime& time = {}, size_t mostTriangles = kMostTriangles,
+                Detail detail = Detail::triangles);
 
 }  // namespace cleave

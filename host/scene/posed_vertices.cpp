@@ -7,40 +7,18 @@
 namespace cleave {
 namespace {
 
-// Finds the accessor of a semantic, if there is such an attribute.
-gltf::Index find(const gltf::Attributes& attributes, const std::string& semantic) {
-    const auto it = attributes.find(semantic);
-    return it == attributes.end() ? gltf::Index() : gltf::Index(it->second);
-}
-
-struct MovingTarget {
-    uint32_t deltas;
-    double weight;
-};
-
-std::vector<MovingTarget> movingTargets(const gltf::Primitive& primitive, const Placement& placement) {
-    std::vector<MovingTarget> moving;
-    for (size_t i = 0; i < primitive.targets.size(); ++i) {
-        const double weight =
-            placement.weights != nullptr && i < placement.weights->size() ? (*placement.weights)[i] : 0.0;
-        const gltf::Index deltas = find(primitive.targets[i], "POSITION");
-        if (deltas && weight != 0.0) moving.push_back({*deltas, weight});
-    }
-    return moving;
-}
-
 struct JointAccessors {
     uint32_t joints;
     uint32_t weights;
 };
 
 // Pairs JOINTS_0 and WEIGHTS_0, JOINTS_1 and WEIGHTS_1, ...
-std::vector<JointAccessors> jointSets(const gltf::Primitive& primitive, const Placement& placement) {
+std::vector<JointAccessors> jointSets(const gltf::Primitive& primitive, const Deformation& deformation) {
     std::vector<JointAccessors> sets;
-    while (placement.joints != nullptr) {
+    while (deformation.joints != nullptr) {
         const std::string set = std::to_string(sets.size());
-        const gltf::Index joints = find(primitive.attributes, "JOINTS_" + set);
-        const gltf::Index weights = find(primitive.attributes, "WEIGHTS_" + set);
+        const gltf::Index joints = attributeOf(primitive.attributes, "JOINTS_" + set);
+        const gltf::Index weights = attributeOf(primitive.attributes, "WEIGHTS_" + set);
         if (!joints || !weights) break;
         sets.push_back({*joints, *weights});
     }
@@ -55,35 +33,36 @@ vec3 transformed(const glm::dmat4& m, const glm::dvec3& p) {
 
 }  // namespace
 
-std::vector<uint32_t> accessorsOf(const gltf::Primitive& primitive, const Placement& placement) {
+std::vector<uint32_t> accessorsOf(const gltf::Primitive& primitive, const Deformation& deformation) {
     std::vector<uint32_t> accessors{primitive.attributes.at("POSITION")};
-    for (const MovingTarget& target : movingTargets(primitive, placement)) accessors.push_back(target.deltas);
-    for (const JointAccessors& set : jointSets(primitive, placement)) {
+    for (const MorphTarget& target : movingTargets(primitive, deformation, "POSITION"))
+        accessors.push_back(target.deltas);
+    for (const JointAccessors& set : jointSets(primitive, deformation)) {
         accessors.push_back(set.joints);
         accessors.push_back(set.weights);
     }
     return accessors;
 }
 
-PosedVertices::PosedVertices(const Scene& scene, const gltf::Primitive& primitive, const Placement& placement,
+PosedVertices::PosedVertices(const Scene& scene, const gltf::Primitive& primitive, const Deformation& deformation,
                              const std::string& where)
-    : placement_(placement), where_(where), positions_(scene, primitive.attributes.at("POSITION")) {
-    for (const MovingTarget& target : movingTargets(primitive, placement))
+    : matrices_(deformation.joints), where_(where), positions_(scene, primitive.attributes.at("POSITION")) {
+    for (const MorphTarget& target : movingTargets(primitive, deformation, "POSITION"))
         targets_.push_back({AccessorValues(scene, target.deltas), target.weight});
-    for (const JointAccessors& set : jointSets(primitive, placement))
+    for (const JointAccessors& set : jointSets(primitive, deformation))
         joints_.push_back({AccessorIntegers(scene, set.joints), AccessorValues(scene, set.weights)});
 }
 
-vec3 PosedVertices::operator[](size_t vertex) const {
+vec3 PosedVertices::at(size_t vertex, const glm::dmat4& toWorld) const {
     glm::dvec3 position = positions_.vec3(vertex);
     for (const Target& target : targets_) position += target.weight * target.deltas.vec3(vertex);
-    return transformed(joints_.empty() ? placement_.toWorld : skinMatrix(vertex), position);
+    return transformed(hasJoints() ? skinMatrix(vertex) : toWorld, position);
 }
 
 // Sums joint matrices by weight. Files round weights, so they are divided by their sum; a vertex without any
 // follows its first joint. Viewers of the field do both.
 glm::dmat4 PosedVertices::skinMatrix(size_t vertex) const {
-    const std::vector<glm::dmat4>& matrices = *placement_.joints;
+    const std::vector<glm::dmat4>& matrices = *matrices_;
     glm::dmat4 sum(0.0);
     double weightSum = 0.0;
     for (size_t set = 0; set < joints_.size(); ++set) {

@@ -6,31 +6,27 @@
 #include <vector>
 
 #include "scene/accessor_view.h"
+#include "scene/morph_targets.h"
 #include "shared/language.h"
 
 namespace cleave {
 
-// The way that a node poses the primitives of its mesh.
-struct Placement {
-    glm::dmat4 toWorld{1.0};
-    const std::vector<double>* weights = nullptr;     // of morph targets; too few of them: the others are 0
-    const std::vector<glm::dmat4>* joints = nullptr;  // null: no skin
-};
-
 class PosedVertices {
   public:
-    // The primitive has POSITION. `where` names it in messages. Scene and placement outlive this.
-    PosedVertices(const Scene& scene, const gltf::Primitive& primitive, const Placement& placement,
+    // The primitive has POSITION. `where` names it in messages. Scene and joints outlive this.
+    PosedVertices(const Scene& scene, const gltf::Primitive& primitive, const Deformation& deformation,
                   const std::string& where);
     size_t count() const { return positions_.count(); }
     // Returns how many accessors are read for a vertex, which is what it costs.
     size_t terms() const { return 1 + targets_.size() + joints_.size(); }
-    // Throws Error if the vertex has a joint that the skin does not have.
-    vec3 operator[](size_t vertex) const;
-
-  private:
+    // Returns the vertex in the world; `toWorld` counts where it has no joints. Throws Error if it has a joint that the
+    // skin does not have.
+    vec3 at(size_t vertex, const glm::dmat4& toWorld) const;
+    bool hasJoints() const { return !joints_.empty(); }
+    // Returns what joints make of the vertex; there are some.
     glm::dmat4 skinMatrix(size_t vertex) const;
 
+  private:
     struct Target {
         AccessorValues deltas;
         double weight;
@@ -39,14 +35,14 @@ class PosedVertices {
         AccessorIntegers joints;
         AccessorValues weights;
     };
-    const Placement& placement_;
+    const std::vector<glm::dmat4>* matrices_;
     std::string where_;
     AccessorValues positions_;
     std::vector<Target> targets_;   // those whose weight is not 0
     std::vector<JointSet> joints_;  // none: placed by the node
 };
 
-// Returns the accessors that a placement needs of a primitive, beside its indices.
-std::vector<uint32_t> accessorsOf(const gltf::Primitive& primitive, const Placement& placement);
+// Returns the accessors that a deformation needs of a primitive, beside its indices.
+std::vector<uint32_t> accessorsOf(const gltf::Primitive& primitive, const Deformation& deformation);
 
 }  // namespace cleave

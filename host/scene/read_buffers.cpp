@@ -1,9 +1,9 @@
 #include "scene/read_buffers.h"
 
-#include <tiny_gltf.h>
-
 #include "scene/check_values.h"
 #include "scene/gltf_uri.h"
+#include "scene/instances.h"
+#include "scene/uri_bytes.h"
 
 namespace cleave {
 namespace {
@@ -13,16 +13,22 @@ enum class Need { none, view, geometry };
 class Needs {
   public:
     explicit Needs(const Scene& scene) : scene_(scene), needs_(scene.buffers.size(), Need::none) {
-        for (const gltf::BufferView& view : scene.bufferViews) needs_[view.buffer] = Need::view;
+        for (const gltf::BufferView& view : scene.bufferViews) needs_[bufferOf(view)] = Need::view;
         for (const gltf::Mesh& mesh : scene.meshes)
             for (const gltf::Primitive& primitive : mesh.primitives) addPrimitive(primitive);
+        for (const gltf::Node& node : scene.nodes)
+            if (node.instancing)
+                for (const gltf::Index accessor : accessorsOf(*node.instancing))
+                    if (accessor) addAccessor(*accessor);
         for (const gltf::Skin& skin : scene.skins)
             if (skin.inverseBindMatrices) addAccessor(*skin.inverseBindMatrices);
     }
     Need operator[](size_t buffer) const { return needs_[buffer]; }
 
   private:
-    void addView(uint32_t view) { needs_[scene_.bufferViews[view].buffer] = Need::geometry; }
+    // A compressed view's own buffer, where there is one, is for those who cannot decompress it.
+    static uint32_t bufferOf(const gltf::BufferView& view) { return view.meshopt ? view.meshopt->buffer : view.buffer; }
+    void addView(uint32_t view) { needs_[bufferOf(scene_.bufferViews[view])] = Need::geometry; }
     void addAccessor(uint32_t index) {
         const gltf::Accessor& accessor = scene_.accessors[index];
         if (accessor.view) addView(*accessor.view);
@@ -30,35 +36,28 @@ class Needs {
         addView(accessor.sparse->indicesView);
         addView(accessor.sparse->valuesView);
     }
-    void addAttributes(const gltf::Attributes& attributes) {
+    void addAttributes(const gltf::Attributes& attributes, const std::optional<gltf::Draco>& draco) {
         for (const auto& [semantic, accessor] : attributes)
-            if (semantic == "POSITION" || semantic.starts_with("JOINTS_") || semantic.starts_with("WEIGHTS_"))
+            if (!(draco && draco->ids.contains(semantic)) &&
+                (semantic == "POSITION" || semantic.starts_with("JOINTS_") || semantic.starts_with("WEIGHTS_")))
                 addAccessor(accessor);
     }
     void addPrimitive(const gltf::Primitive& primitive) {
-        addAttributes(primitive.attributes);
-        for (const gltf::Attributes& target : primitive.targets) addAttributes(target);
-        if (primitive.indices) addAccessor(*primitive.indices);
+        addAttributes(primitive.attributes, primitive.draco);
+        for (const gltf::Attributes& target : primitive.targets) addAttributes(target, std::nullopt);
+        if (primitive.draco) addView(primitive.draco->view);
+        if (primitive.indices && !primitive.draco) addAccessor(*primitive.indices);
     }
 
     const Scene& scene_;
     std::vector<Need> needs_;
 };
 
-std::vector<unsigned char> bytesOfUri(const GltfFile& file, const std::string& uri) {
-    if (!isDataUri(uri)) return readBytes(pathOfUri(file.path.parent_path(), uri));
-    std::vector<unsigned char> bytes;
-    std::string mimeType;
-    if (!tinygltf::IsDataURI(uri) || !tinygltf::DecodeDataURI(&bytes, mimeType, uri, 0, false))
-        refuseGltf("the data URI '" + uri.substr(0, 40) + "...' cannot be decoded");
-    return bytes;
-}
-
 std::vector<unsigned char> bytesOf(GltfFile& file, size_t index, uint64_t byteLength) {
     const Json& buffer = file.document["buffers"][index];
     const Json* uri = member(buffer, "uri");
     std::vector<unsigned char> bytes =
-        uri != nullptr ? bytesOfUri(file, uri->get<std::string>()) : std::move(file.data);
+        uri != nullptr ? bytesOfUri(file.path.parent_path(), uri->get<std::string>()) : std::move(file.data);
     if (bytes.size() < byteLength)
         refuseGltf(at("buffers", index) + " has " + std::to_string(bytes.size()) + " bytes, and byteLength says " +
                    std::to_string(byteLength));

@@ -1,14 +1,11 @@
 #include "scene/triangle_count.h"
 
+#include "scene/instances.h"
 #include "scene/node_transforms.h"
 #include "scene/refuse.h"
 
 namespace cleave {
 namespace {
-
-bool hasBytesOfView(const Scene& scene, uint32_t view) {
-    return !scene.buffers[scene.bufferViews[view].buffer].bytes.empty();
-}
 
 // Counts up to `most`, and returns `most` + 1 if there are more.
 size_t trianglesOf(const Scene& scene, const gltf::Mesh& mesh, size_t most) {
@@ -47,6 +44,10 @@ std::array<size_t, 3> cornersOf(gltf::Mode mode, size_t i) {
     return {3 * i, 3 * i + 1, 3 * i + 2};
 }
 
+bool hasBytesOfView(const Scene& scene, uint32_t view) {
+    return !scene.buffers[scene.bufferViews[view].buffer].bytes.empty();
+}
+
 bool hasBytes(const Scene& scene, uint32_t index) {
     const gltf::Accessor& accessor = scene.accessors[index];
     if (accessor.view && !hasBytesOfView(scene, *accessor.view)) return false;
@@ -55,6 +56,7 @@ bool hasBytes(const Scene& scene, uint32_t index) {
 }
 
 bool isReadable(const Scene& scene, const gltf::Primitive& primitive) {
+    if (primitive.draco) return false;  // what it is decompressed from is not there
     const auto position = primitive.attributes.find("POSITION");
     return position != primitive.attributes.end() && hasBytes(scene, position->second) &&
            (!primitive.indices || hasBytes(scene, *primitive.indices));
@@ -64,12 +66,14 @@ size_t countTriangles(const Scene& scene, size_t most) {
     std::vector<size_t> counts;
     for (const gltf::Mesh& mesh : scene.meshes) counts.push_back(trianglesOf(scene, mesh, most));
     size_t sum = 0;
-    for (uint32_t node : shownNodes(scene)) {
-        if (!scene.nodes[node].mesh) continue;
-        const size_t count = counts[*scene.nodes[node].mesh];
-        if (count > most - sum)
+    for (uint32_t index : shownNodes(scene)) {
+        const gltf::Node& node = scene.nodes[index];
+        if (!node.mesh) continue;
+        const size_t count = counts[*node.mesh];
+        const size_t instances = instanceCount(scene, node);
+        if (count > 0 && instances > (most - sum) / count)
             refuseGltf("the scene has more than " + std::to_string(most) + " triangles", "split it");
-        sum += count;
+        sum += instances * count;
     }
     return sum;
 }

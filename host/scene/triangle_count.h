@@ -17,6 +17,8 @@ size_t surplusIndices(gltf::Mode mode, size_t indexCount);
 // Returns the three indices that make triangle i.
 std::array<size_t, 3> cornersOf(gltf::Mode mode, size_t i);
 
+// Returns whether the plain bytes of a bufferView are there.
+bool hasBytesOfView(const Scene& scene, uint32_t view);
 // Returns whether the bytes of an accessor (and of its sparse part) are there.
 bool hasBytes(const Scene& scene, uint32_t accessor);
 // Returns whether the primitive has positions, and these and its indices are there.

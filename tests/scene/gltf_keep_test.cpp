@@ -1,6 +1,9 @@
 // What a scene keeps of a document that nothing here draws.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "gltf_text.h"
 
 namespace cleave::test {
@@ -54,6 +57,36 @@ TEST(GltfKeep, materialsWithAllFactorsAndTextures) {
     EXPECT_EQ(plain.name, "default");
     EXPECT_EQ(plain.metallic, 1.0f);
     EXPECT_FALSE(plain.baseColourTexture || plain.doubleSided || plain.unlit);
+}
+
+// Values outside of what glTF allows are brought to its ends: no renderer meets them.
+TEST(GltfKeep, bringsFactorsIntoTheirRanges) {
+    Document document = triangleDocument();
+    document.json["textures"] = {Json::object()};
+    document.json["materials"] = Json::parse(R"([
+        {"pbrMetallicRoughness": {"baseColorFactor": [-1, 2, 1e300, 0.5], "metallicFactor": 7, "roughnessFactor": -1},
+         "normalTexture": {"index": 0, "scale": -1e300}, "occlusionTexture": {"index": 0, "strength": 1.5},
+         "emissiveFactor": [-1, 0.5, 1e300], "alphaCutoff": -0.5,
+         "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 1e300}}}])");
+    document.json["extensions"]["KHR_lights_punctual"]["lights"] = Json::parse(R"([
+        {"type": "spot", "color": [-1, 0.5, 3], "intensity": -5, "range": 0,
+         "spot": {"innerConeAngle": 9, "outerConeAngle": 3}}])");
+    const Scene scene = sceneOf(document);
+    const gltf::Material& m = scene.materials.at(0);
+    EXPECT_EQ(m.baseColour, glm::vec4(0.0f, 1.0f, 1.0f, 0.5f));
+    EXPECT_EQ(m.metallic, 1.0f);
+    EXPECT_EQ(m.roughness, 0.0f);
+    EXPECT_EQ(m.normalScale, -std::numeric_limits<float>::max());
+    EXPECT_EQ(m.occlusionStrength, 1.0f);
+    EXPECT_EQ(m.emissive, glm::vec3(0.0f, 0.5f, 1.0f));
+    EXPECT_EQ(m.emissiveStrength, std::numeric_limits<float>::max());
+    EXPECT_EQ(m.alphaCutoff, 0.0f);
+    const gltf::Light& light = scene.lights.at(0);
+    EXPECT_EQ(light.colour, glm::dvec3(0.0, 0.5, 3.0));
+    EXPECT_EQ(light.intensity, 0.0);
+    EXPECT_TRUE(std::isinf(light.range));
+    EXPECT_NEAR(light.outerConeAngle, 1.5707963, 1e-7);
+    EXPECT_EQ(light.innerConeAngle, light.outerConeAngle);
 }
 
 TEST(GltfKeep, nodesApartFromTheirMeshes) {

@@ -86,14 +86,6 @@ TEST(GltfPrimitive, namesMaterialsAndEndsWithTheDefault) {
     EXPECT_EQ(scene.materials[2].baseColour, glm::vec4(1.0f));
 }
 
-TEST(GltfPrimitive, warnsOfWhatItDoesNotPose) {
-    Document document = triangleDocument();
-    document.node()["extensions"] = {{"EXT_mesh_gpu_instancing", Json::object()}};
-    const PosedScene scene = load(document);
-    EXPECT_EQ(scene.triangles.size(), 1u);
-    EXPECT_TRUE(mentions(scene.warnings, "EXT_mesh_gpu_instancing"));
-}
-
 TEST(GltfPrimitive, keepsNonFiniteTrianglesAndNamesTheFirst) {
     Document document;
     document.addMesh(document.addPositions({0, 0, 0, 1, 0, 0, 0, 1, 0, NAN, 0, 0, 1, 0, 0, 0, INFINITY, 0}));

@@ -97,6 +97,22 @@ TEST(PoseMorph, comesBeforeTheSkin) {
     EXPECT_EQ(load(document).triangles.at(0).a, vec3(11, 2, 3));
 }
 
+// KHR_mesh_quantization allows deltas of small integers, normalised or not.
+TEST(PoseMorph, readsQuantizedDeltas) {
+    Document document = triangleDocument();
+    const int whole = document.addAccessor(document.addView(bytesOf<int8_t>({3, -2, 0, 0, 0, 0, 0, 0, 0, 0, 4, 0}), 4),
+                                           5120, 3, "VEC3");
+    const int shares =
+        document.addAccessor(document.addView(bytesOf<int16_t>({0, 0, 0, 0, 32767, -32768, 0, 0, 0, 0, 0, 0}), 8), 5122,
+                             3, "VEC3", {{"normalized", true}});
+    document.primitive()["targets"] = {{{"POSITION", whole}}, {{"POSITION", shares}}};
+    document.json["meshes"][0]["weights"] = {1, 2};
+    const Triangle t = load(document).triangles.at(0);
+    EXPECT_EQ(t.a, vec3(3, -2, 0));
+    EXPECT_EQ(t.b, vec3(3, -2, 0));
+    EXPECT_EQ(t.c, vec3(0, 1, 4));
+}
+
 TEST(PoseLights, arePlacedByTheirNodes) {
     Document document = triangleDocument();
     document.json["extensions"]["KHR_lights_punctual"]["lights"] = Json::parse(R"([

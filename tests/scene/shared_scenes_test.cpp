@@ -41,22 +41,13 @@ std::string errorOf(const fs::path& file, PosedScene& scene) {
 TEST(SharedScenes, haveTheirNumberOfTriangles) {
     const fs::path folder = kShared / "scenes";
     if (!fs::exists(folder / "SCENES.tsv")) GTEST_SKIP() << "no collection beside the checkout";
-    size_t refused = 0;
     for (const auto& row : rowsOf(folder / "SCENES.tsv")) {
         PosedScene scene;
         const std::string error = errorOf(folder / row.at(0), scene);
-        if (row.size() > 5 && row[5].find("_compression") != std::string::npos) {
-            EXPECT_NE(error.find("_compression"), std::string::npos) << row[0];
-            ++refused;
-        } else if (row.size() > 5 && row[5].find("EXT_mesh_gpu_instancing") != std::string::npos) {
-            EXPECT_TRUE(mentions(scene.warnings, "EXT_mesh_gpu_instancing")) << row[0];
-        } else {
-            EXPECT_EQ(error, "");
-            EXPECT_EQ(scene.triangles.size(), std::stoul(row.at(3))) << row[0];
-            EXPECT_EQ(scene.materialOf.size(), scene.triangles.size());
-        }
+        EXPECT_EQ(error, "");
+        EXPECT_EQ(scene.triangles.size(), std::stoul(row.at(3))) << row[0];
+        EXPECT_EQ(scene.materialOf.size(), scene.triangles.size());
     }
-    EXPECT_EQ(refused, 5u);
 }
 
 TEST(SharedScenes, badFilesAreRefusedOrSurvived) {

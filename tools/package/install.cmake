@@ -40,7 +40,8 @@ if(CLEAVE_SCENE)
   # It has the objects of cleave::cleave too, since it uses more of them than the public headers show.
   cleave_bundle(cleave_scene_library scene cleave_scene record core base scene tree builders judge twin gpu render run
                 facade)
-  target_link_libraries(cleave_scene_library PRIVATE Vulkan::Vulkan Threads::Threads TBB::tbb TinyGLTF::TinyGLTF)
+  target_link_libraries(cleave_scene_library PRIVATE Vulkan::Vulkan Threads::Threads TBB::tbb TinyGLTF::TinyGLTF
+                                                     draco::draco meshoptimizer::meshoptimizer)
   install(TARGETS cleave_scene_library EXPORT cleaveSceneTargets)
   install(EXPORT cleaveSceneTargets NAMESPACE cleave:: DESTINATION ${packageDir})
   install(FILES host/include/cleave/scene.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/cleave)

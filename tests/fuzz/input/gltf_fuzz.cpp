@@ -32,6 +32,21 @@ class Watch {
 
 bool isUnit(const glm::dvec3& v) { return std::fabs(glm::length(v) - 1.0) < 1e-6; }
 
+template <typename Value>
+void requireFinite(const std::vector<Value>& values, const PosedScene& posed) {
+    require(values.empty() || values.size() == 3 * posed.triangles.size(), "each corner has a value, or none has");
+    for (const Value& value : values)
+        for (int i = 0; i < Value::length(); ++i) require(std::isfinite(value[i]), "values of corners are finite");
+}
+
+void requireSoundCorners(const PosedScene& posed) {
+    requireFinite(posed.corners.normals, posed);
+    for (const auto& set : posed.corners.texCoords) requireFinite(set, posed);
+    requireFinite(posed.corners.colours, posed);
+    for (const vec3& n : posed.corners.normals)
+        require(n == vec3(0.0f) || std::fabs(glm::length(n) - 1.0f) < 1e-5f, "a normal has a direction, or is zero");
+}
+
 void requireSound(const Scene& scene, const PosedScene& posed) {
     require(posed.triangles.size() <= kMostTriangles, "the limit holds");
     require(posed.triangles.size() == posed.materialOf.size(), "each triangle has a material");
@@ -40,6 +55,7 @@ void requireSound(const Scene& scene, const PosedScene& posed) {
     for (const gltf::Material& material : scene.materials)
         for (int i = 0; i < 4; ++i)
             require(material.baseColour[i] >= 0.0f && material.baseColour[i] <= 1.0f, "colours are in [0, 1]");
+    requireSoundCorners(posed);
     for (const Camera& camera : posed.cameras)
         require(isUnit(camera.forward) && isUnit(camera.up) && std::fabs(glm::dot(camera.forward, camera.up)) < 1e-6,
                 "a camera has directions", camera.name);
@@ -53,7 +69,7 @@ void requireSound(const Scene& scene, const PosedScene& posed) {
 void poseAtTimes(const Scene& scene) {
     const std::vector<uint32_t> all = allAnimations(scene);
     for (const std::optional<double> seconds : {std::optional<double>(), {-1.0}, {0.0}, {0.37}, {1e9}})
-        requireSound(scene, pose(scene, {seconds, all}, kMostTriangles));
+        requireSound(scene, pose(scene, {seconds, all}, kMostTriangles, Detail::corners));
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ std::vector<Json*> valuesOf(Json& root) {
 }
 
 Json anyValue(Random& random) {
-    static const std::array<Json, 34> kValues = {0,
+    static const std::array<Json, 39> kValues = {0,
                                                  1,
                                                  2,
                                                  3,
@@ -103,6 +103,11 @@ Json anyValue(Random& random) {
                                                  "",
                                                  "SCALAR",
                                                  "VEC3",
+                                                 "ATTRIBUTES",
+                                                 "TRIANGLES",
+                                                 "INDICES",
+                                                 "QUATERNION",
+                                                 "EXPONENTIAL",
                                                  "data:application/octet-stream;base64,AAAAAAAAgD8AAAAA",
                                                  Json::array(),
                                                  Json::object()};
@@ -149,6 +154,13 @@ const char* anyKey(Random& random) {
                                          "baseColorFactor",
                                          "pbrMetallicRoughness",
                                          "KHR_draco_mesh_compression",
+                                         "EXT_meshopt_compression",
+                                         "EXT_mesh_gpu_instancing",
+                                         "TRANSLATION",
+                                         "ROTATION",
+                                         "SCALE",
+                                         "filter",
+                                         "fallback",
                                          "weights",
                                          "name",
                                          "images",
