@@ -27,7 +27,8 @@ constexpr std::array<std::pair<const char*, Command>, 7> kCommands = {{{"render"
                                                                        {"report", Command::report},
                                                                        {"stability", Command::stability},
                                                                        {"devices", Command::devices}}};
-constexpr std::array<std::pair<const char*, View>, 5> kViews = {{{"shaded", View::shaded},
+constexpr std::array<std::pair<const char*, View>, 6> kViews = {{{"shaded", View::shaded},
+                                                                 {"path", View::path},
                                                                  {"normals", View::normals},
                                                                  {"depth", View::depth},
                                                                  {"steps", View::steps},
@@ -240,6 +241,25 @@ void addRender(CLI::App& app, Options& options) {
         app, "--fov", "DEGREES", "vertical field of view (45, or the camera's)", field,
         [&options](double degrees) { options.fov = degrees; }, "an angle above 0 and below 180 degrees");
     addNamed(app, "--view", "what is shown", options.view, kViews);
+    const auto samples = [](const std::string& given) { return parseWhole(given, 1, 1u << 24); };
+    addParsed<uint64_t>(
+        app, "--spp", "N", "samples per pixel of shaded, normals (1) and path (64)", samples,
+        [&options](uint64_t n) { options.samples = static_cast<uint32_t>(n); }, "a whole number from 1 to 16777216");
+    addWhole(app, "--bounces", "path: surfaces that light may be reflected by (8)", options.bounces, 0, 4096);
+    const auto stops = [](const std::string& given) {
+        const auto ev = parseNumber(given);
+        return ev && std::abs(*ev) <= 64.0 ? ev : std::nullopt;
+    };
+    addParsed<double>(
+        app, "--exposure", "EV", "shaded, path: brighter by so many powers of two (0)", stops,
+        [&options](double ev) { options.exposure = static_cast<float>(std::exp2(ev)); }, "a number from -64 to 64");
+    const auto seconds = [](const std::string& given) {
+        const auto s = parseNumber(given);
+        return s && *s > 0.0 ? s : std::nullopt;
+    };
+    addParsed<double>(
+        app, "--time-limit", "S", "take no more samples after so many seconds", seconds,
+        [&options](double s) { options.timeLimit = s; }, "a number of seconds above 0");
     addBuild(app, options, false);
     addTraversal(app, options, false);
     addOutput(app, options);
@@ -367,6 +387,9 @@ const char* defaultOutput(Command command) {
 }
 
 void complete(Options& options) {
+    if (samplesOf(options) > 1 && !takesSamples(options.view))
+        throw UsageError(
+            "--spp: a pixel of depth, steps and leaves shows one ray; several are for shaded, normals, path");
     if (options.output.empty()) options.output = defaultOutput(options.command);
     for (size_t i = 0; options.command == Command::report && i < options.scenes.size(); ++i)
         for (size_t j = 0; j < i; ++j)
@@ -400,6 +423,8 @@ std::string lineOf(int argc, const char* const* argv) {
 }
 
 }  // namespace
+
+uint32_t samplesOf(const Options& options) { return options.samples.value_or(options.view == View::path ? 64 : 1); }
 
 uint64_t raysToJudge(const Options& options) { return options.check > 0 ? options.check : 2048; }
 

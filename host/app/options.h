@@ -37,7 +37,11 @@ struct Options {
     uint32_t width = 1280;
     uint32_t height = 720;
     View view = View::shaded;
-    std::string camera;  // by name or index
+    std::optional<uint32_t> samples;  // of a pixel; the view's own number otherwise
+    uint32_t bounces = 8;
+    float exposure = 1.0f;            // a factor on radiance
+    std::optional<double> timeLimit;  // seconds of rendering
+    std::string camera;               // by name or index
     std::optional<glm::dvec3> eye;
     std::optional<glm::dvec3> look;
     std::optional<double> fov;  // vertical, degrees
@@ -61,10 +65,11 @@ struct Options {
 // A text to print instead of a run: help or version.
 using Request = std::variant<Options, std::string>;
 
+// Of --spp, or what the view has without it: 64 for paths, 1 for others.
+uint32_t samplesOf(const Options& options);
+
 // Rays per set that a benchmark judges before it tells any time: those of --check, or 2048.
 uint64_t raysToJudge(const Options& options);
-
-// The trace mode of commands that use a single one.
 
 // Wrong use of the command line: exit status 2.
 struct UsageError : std::runtime_error {

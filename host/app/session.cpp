@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/lighting.h"
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
@@ -45,9 +46,7 @@ const DeviceTriangles& Session::trianglesOnDevice() {
 
 const DeviceMaterials& Session::materialsOnDevice() {
     if (materials_) return *materials_;
-    std::vector<glm::vec4> colours;
-    for (const gltf::Material& m : scene_.materials) colours.push_back(m.baseColour);
-    materials_ = std::make_unique<DeviceMaterials>(run_.device.device(), posed_.materialOf, colours);
+    materials_ = std::make_unique<DeviceMaterials>(run_.device.device(), posed_.materialOf, materialsOf(scene_));
     return *materials_;
 }
 

@@ -13,12 +13,13 @@ VkDeviceAddress addressOf(const Place& p, const Range* scratch) { return scratch
 class PictureRecording {
   public:
     PictureRecording(VkCommandBuffer commands, const PictureKernels& kernels, const PictureTracing& tracing,
-                     const PictureInfo& info, const Range* scratch)
+                     const PictureInfo& info, const Range* scratch, uint32_t sample)
         : kernels_(kernels),
           recorder_(kernels.recorder(commands)),
           tracing_(tracing),
           info_(info),
           scratch_(scratch),
+          sample_(sample),
           counts_(pictureCounts(info.camera.width, info.camera.height, static_cast<uint32_t>(info.view))),
           at_(pictureLayout(counts_, info.largestRange)) {}
 
@@ -32,7 +33,7 @@ class PictureRecording {
     void cameraRays() { perRay(PictureKernels::camera_rays); }
 
     void primaryHits(bool resumes) {
-        zero(offsetof(PictureState, primary), sizeof(TraceCounters));
+        if (bounce_ == 0) zero(offsetof(PictureState, primary), sizeof(TraceCounters));
         TraceInfo trace = traced(at_.rays, at_.hits, at_.trails, info_.primaryMode(), resumes);
         trace.counters = address(at_.state) + offsetof(PictureState, primary);
         if (counts_.counted > 0) trace.steps = address(at_.steps);
@@ -56,7 +57,7 @@ class PictureRecording {
 
     void shadowHits(bool resumes) {
         if (counts_.shadowed == 0) return;
-        zero(offsetof(PictureState, shadow), sizeof(TraceCounters));
+        if (info_.view != View::path) zero(offsetof(PictureState, shadow), sizeof(TraceCounters));
         TraceInfo trace = traced(at_.shadowRays, at_.shadowHits, at_.shadowTrails, info_.shadowMode(), resumes);
         trace.counters = address(at_.state) + offsetof(PictureState, shadow);
         recorder_.barrier();
@@ -66,23 +67,41 @@ class PictureRecording {
 
     void colours() { perRay(PictureKernels::shade); }
 
+    // The paths of the sample, whose primary hits are there.
+    void paths() {
+        zero(offsetof(PictureState, shadow), sizeof(TraceCounters));
+        for (;;) {
+            perRay(PictureKernels::path_scatter, bounce_);
+            if (bounce_++ == info_.settings.bounces) return;
+            if (info_.settings.lightCount > 0) {
+                shadowHits(false);
+                perRay(PictureKernels::path_gather);
+            }
+            primaryHits(false);
+        }
+    }
+
+    void pixels() { perRay(PictureKernels::tone); }
+
   private:
     const PictureKernels& kernels_;
     Recorder recorder_;
     const PictureTracing& tracing_;
     const PictureInfo& info_;
     const Range* scratch_;
+    const uint32_t sample_;
+    uint32_t bounce_ = 0;  // of paths, whose rays of all bounces are counted together
     PictureCounts counts_;
     PictureLayout at_;
 
-    uint32_t pixels() const { return static_cast<uint32_t>(counts_.pixels); }
+    uint32_t rayCount() const { return static_cast<uint32_t>(counts_.pixels); }
     VkDeviceAddress address(const Place& p) const { return addressOf(p, scratch_); }
-    PicturePush push(uint32_t round) const { return {address(at_.args), round, 0}; }
+    PicturePush push(uint32_t round) const { return {address(at_.args), round, sample_}; }
     void pass(PictureKernels::Pass kernel, uint32_t round, uint32_t groups) {
         recorder_.dispatch(kernels_[kernel], push(round), groups);
         note(kernels_[kernel].name().data());
     }
-    void perRay(PictureKernels::Pass kernel, uint32_t round = 0) { pass(kernel, round, ceilDiv(pixels(), kGroup)); }
+    void perRay(PictureKernels::Pass kernel, uint32_t round = 0) { pass(kernel, round, ceilDiv(rayCount(), kGroup)); }
     void note(const char* pass) const {
         if (info_.onPass) info_.onPass(info_.user, pass);
     }
@@ -96,7 +115,7 @@ class PictureRecording {
         trace.rays = address(rays);
         trace.hits = address(hits);
         trace.trails = address(trails);
-        trace.count = pixels();
+        trace.count = rayCount();
         trace.mode = mode;
         trace.stepLimit = info_.stepLimit;
         trace.resumes = resumes;
@@ -115,10 +134,15 @@ PictureArgs pictureArgs(const PictureInfo& info, const PictureLayout& at, const 
     a.tree = info.tree;
     a.triangles = info.triangles;
     a.materialOf = info.materialOf;
-    a.baseColours = info.baseColours;
+    a.materials = info.materials;
+    a.lights = info.lights;
+    a.albedo = info.albedo;
     a.camera = info.camera;
     a.view = static_cast<uint32_t>(info.view);
     a.count = info.camera.width * info.camera.height;
+    a.samples = info.samples;
+    a.exposure = info.exposure;
+    a.settings = info.settings;
     return a;
 }
 
@@ -134,21 +158,27 @@ PictureKernels::PictureKernels(const PipelineHome& home, uint32_t longestRow)
             throw Error(std::string("creating the pipeline of kernel ") + kNames[i] + " failed; try another device");
 }
 
-void cmdRender(VkCommandBuffer commands, const PictureKernels& kernels, const PictureTracing& tracing,
-               const PictureInfo& info, const Range* scratch) {
-    PictureRecording picture(commands, kernels, tracing, info, scratch);
-    picture.arguments();
+void cmdRenderSample(VkCommandBuffer commands, const PictureKernels& kernels, const PictureTracing& tracing,
+                     const PictureInfo& info, const Range* scratch, uint32_t sample) {
+    PictureRecording picture(commands, kernels, tracing, info, scratch, sample);
+    if (sample == 0) picture.arguments();
     picture.cameraRays();
     picture.primaryHits(false);
+    if (info.view == View::path) return picture.paths();
     picture.scale();
     picture.shadowRays();
     picture.shadowHits(false);
     picture.colours();
 }
 
-void cmdResumePicture(VkCommandBuffer commands, const PictureKernels& kernels, const PictureTracing& tracing,
-                      const PictureInfo& info, const Range* scratch, PictureRays rays) {
-    PictureRecording picture(commands, kernels, tracing, info, scratch);
+void cmdShowPicture(VkCommandBuffer commands, const PictureKernels& kernels, const PictureInfo& info,
+                    const Range* scratch, uint32_t samples) {
+    PictureRecording(commands, kernels, {}, info, scratch, samples).pixels();
+}
+
+void cmdResumeSample(VkCommandBuffer commands, const PictureKernels& kernels, const PictureTracing& tracing,
+                     const PictureInfo& info, const Range* scratch, uint32_t sample, PictureRays rays) {
+    PictureRecording picture(commands, kernels, tracing, info, scratch, sample);
     const bool primary = rays == PictureRays::primary;
     if (primary) {
         picture.primaryHits(true);

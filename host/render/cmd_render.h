@@ -1,4 +1,4 @@
-// Records a whole picture: camera rays, their hits, the view's scale, shadows, colours.
+// Records a picture, sample by sample: camera rays, their hits, the view's scale, shadows or whole paths, colours.
 #pragma once
 
 #include <array>
@@ -14,9 +14,12 @@ enum class View : uint32_t {
     normals = kViewNormals,
     depth = kViewDepth,
     steps = kViewSteps,
-    leaves = kViewLeaves
+    leaves = kViewLeaves,
+    path = kViewPath
 };
 inline bool countsSteps(View view) { return view == View::steps || view == View::leaves; }
+// A pixel of the others shows one ray, so that the mean of several would mean nothing.
+inline bool takesSamples(View view) { return view == View::shaded || view == View::normals || view == View::path; }
 
 // The passes of a picture, in the order of their first use. A row: the kernel (shaders/render/<kernel>.comp), its twin.
 #define CLEAVE_PICTURE_PASSES(ROW)       \
@@ -25,15 +28,23 @@ inline bool countsSteps(View view) { return view == View::steps || view == View:
     ROW(count_histogram, countHistogram) \
     ROW(select_count, selectCount)       \
     ROW(shadow_rays, shadowRays)         \
-    ROW(shade, shade)
+    ROW(shade, shade)                    \
+    ROW(path_scatter, pathScatter)       \
+    ROW(path_gather, pathGather)         \
+    ROW(tone, tone)
 
 struct PictureInfo {
     VkDeviceAddress tree = 0;
-    VkDeviceAddress triangles = 0;    // 36 bytes each: the vertices in world space, by number
-    VkDeviceAddress materialOf = 0;   // uint32 per triangle
-    VkDeviceAddress baseColours = 0;  // four floats per material, linear
+    VkDeviceAddress triangles = 0;   // 36 bytes each: the vertices in world space, by number
+    VkDeviceAddress materialOf = 0;  // uint32 per triangle
+    VkDeviceAddress materials = 0;   // Material of shared/material.h
+    VkDeviceAddress lights = 0;      // LightSource of shared/light.h, settings.lightCount of them, for paths
+    VkDeviceAddress albedo = 0;      // of render/albedo_table.h, for paths
     ImageCamera camera{};
     View view = View::shaded;
+    uint32_t samples = 1;  // of a pixel; a single one is at its centre
+    float exposure = 1.0f;
+    PathSettings settings{};  // of paths; its seed is of all samples
     Traversal traversal = Traversal::restart;
     TriangleTest test = TriangleTest::watertight;
     VkDeviceSize largestRange = 0;  // as BuildInfo::largestRange
@@ -73,19 +84,24 @@ class PictureKernels {
 // The contexts that trace a picture's rays; they may be the same one.
 struct PictureTracing {
     const Context* primary = nullptr;  // has info.primaryMode()
-    const Context* shadow = nullptr;   // has info.shadowMode(), for the shaded view
+    const Context* shadow = nullptr;   // has info.shadowMode(), for the views of light
 };
 
-// Records a whole picture with the ranges of `scratch`, sized as pictureLayout() says. Its pixels and its PictureState
-// are then where the layout has them.
-void cmdRender(VkCommandBuffer commands, const PictureKernels& kernels, const PictureTracing& tracing,
-               const PictureInfo& info, const Range* scratch);
+// Records sample `sample` of a picture, from 0 on in ascending order, with the ranges of `scratch`, sized as
+// pictureLayout() says: its light, or its colours, are added to those of the samples before.
+void cmdRenderSample(VkCommandBuffer commands, const PictureKernels& kernels, const PictureTracing& tracing,
+                     const PictureInfo& info, const Range* scratch, uint32_t sample);
 
-// Where PictureState tells of rays that the step limit ended, a picture goes on by these, as often as it takes: the
-// rays of one kind continue, and what follows from their hits is made anew.
+// Makes pixels of what `samples` samples have gathered. The pixels, the radiance and the PictureState are then where
+// the layout has them.
+void cmdShowPicture(VkCommandBuffer commands, const PictureKernels& kernels, const PictureInfo& info,
+                    const Range* scratch, uint32_t samples);
+
+// Where PictureState tells of rays that the step limit ended, a sample goes on by these, as often as it takes, before
+// the next one: the rays of one kind continue, and what follows from their hits is made anew. Not for paths.
 enum class PictureRays { primary, shadow };
-void cmdResumePicture(VkCommandBuffer commands, const PictureKernels& kernels, const PictureTracing& tracing,
-                      const PictureInfo& info, const Range* scratch, PictureRays rays);
+void cmdResumeSample(VkCommandBuffer commands, const PictureKernels& kernels, const PictureTracing& tracing,
+                     const PictureInfo& info, const Range* scratch, uint32_t sample, PictureRays rays);
 
 std::span<const Spirv> renderKernels() noexcept;
 

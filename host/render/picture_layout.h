@@ -2,7 +2,7 @@
 #pragma once
 
 #include "record/placement.h"
-#include "shared/picture.h"
+#include "shared/picture_args.h"
 
 namespace cleave {
 
@@ -10,7 +10,8 @@ namespace cleave {
 struct PictureCounts {
     uint64_t pixels = 0;
     uint64_t counted = 0;   // pixels, in views of counts
-    uint64_t shadowed = 0;  // pixels, in the shaded view
+    uint64_t shadowed = 0;  // pixels, in the views of light
+    uint64_t walked = 0;    // pixels, in the view of paths
 };
 PictureCounts pictureCounts(uint32_t width, uint32_t height, uint32_t view);
 

@@ -1,15 +1,17 @@
 #include "run/renderer.h"
 
+#include <optional>
+
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "gpu/commands.h"
+#include "render/albedo_table.h"
 #include "run/ranges.h"
 
 namespace cleave {
 
-DeviceMaterials::DeviceMaterials(Device& device, std::span<const uint32_t> perTriangle,
-                                 std::span<const glm::vec4> colours)
-    : materialOf(uploaded(device, perTriangle)), baseColours(uploaded(device, colours)) {}
+DeviceMaterials::DeviceMaterials(Device& device, std::span<const uint32_t> perTriangle, std::span<const Material> all)
+    : materialOf(uploaded(device, perTriangle)), materials(uploaded(device, all)) {}
 
 namespace {
 
@@ -42,7 +44,11 @@ struct Renderer::State {
     Commands commands;
     RangeBuffers scratch;  // kept from picture to picture
     PictureLayout at;
-    uint32_t pixels = 0;
+    ImageCamera camera{};
+    uint32_t samples = 0;
+    std::optional<Buffer> albedo, lights;  // of paths
+
+    size_t pixels() const { return size_t{camera.width} * camera.height; }
 
     template <class T>
     std::vector<T> read(const Place& place, size_t count) const {
@@ -52,7 +58,7 @@ struct Renderer::State {
     }
 
     void reserve(const PictureInfo& info) {
-        pixels = info.camera.width * info.camera.height;
+        camera = info.camera;
         at = pictureLayout(pictureCounts(info.camera.width, info.camera.height, static_cast<uint32_t>(info.view)),
                            info.largestRange);
         if (!at.ranges.fits())
@@ -63,9 +69,9 @@ struct Renderer::State {
         scratch.reserve(device, sizes);
     }
 
-    // Runs what `record` records; what the picture's state tells then.
+    // Runs what `record` records, and adds to the picture's times.
     template <class Record>
-    PictureState run(Picture& picture, const Record& record) {
+    void run(Picture& picture, const Record& record) {
         commands.begin();
         record();
         commands.run();
@@ -74,7 +80,38 @@ struct Renderer::State {
         for (const PassTime& pass : known)
             if (pass.name == "trace") picture.traceMs += pass.ms;
         if (known.empty()) picture.traceMs += commands.milliseconds();
-        return read<PictureState>(at.state, 1)[0];
+    }
+
+    PictureState state() const { return read<PictureState>(at.state, 1)[0]; }
+
+    void lightPaths(PictureInfo& info, const PictureRequest& request) {
+        if (!albedo) albedo = uploaded(device, std::span<const SpecularAlbedo>(albedoTable()));
+        lights.reset();
+        if (!request.lighting.lights.empty())
+            lights = uploaded(device, std::span<const LightSource>(request.lighting.lights));
+        info.albedo = albedo->address();
+        info.lights = lights ? lights->address() : 0;
+        info.settings.sky = request.lighting.sky;
+        info.settings.lightCount = static_cast<uint32_t>(request.lighting.lights.size());
+        info.settings.bounces = request.bounces;
+    }
+
+    // A sample, until all of its rays are answered; what the picture's state tells then.
+    PictureState sample(Picture& picture, const PictureTracing& tracing, const PictureInfo& info, uint32_t number) {
+        run(picture, [&] { cmdRenderSample(commands.handle(), kernels, tracing, info, scratch.ranges(), number); });
+        PictureState told = state();
+        if (info.view == View::path) return told;
+        const auto resume = [&](PictureRays rays, TraceCounters PictureState::*counters) {
+            for (uint32_t i = 1; (told.*counters).unfinishedRays > 0 && i < limits.mostDispatches; i++) {
+                run(picture, [&] {
+                    cmdResumeSample(commands.handle(), kernels, tracing, info, scratch.ranges(), number, rays);
+                });
+                told = state();
+            }
+        };
+        resume(PictureRays::primary, &PictureState::primary);
+        resume(PictureRays::shadow, &PictureState::shadow);
+        return told;
     }
 };
 
@@ -92,16 +129,20 @@ Picture Renderer::render(const DeviceTree& tree, const DeviceTriangles& triangle
     info.tree = tree.address();
     info.triangles = triangles.triangles.address();
     info.materialOf = materials.materialOf.address();
-    info.baseColours = materials.baseColours.address();
+    info.materials = materials.materials.address();
     info.camera = request.camera;
     info.view = request.view;
+    info.samples = request.samples;
+    info.exposure = request.exposure;
+    info.settings.seed = request.seed;
+    if (request.view == View::path) s.lightPaths(info, request);
     info.traversal = request.traversal;
     info.test = request.test;
     info.largestRange = s.device.largestAllocation();
     info.stepLimit = s.limits.stepLimit;
     info.onPass = [](void* user, const char* pass) { static_cast<Commands*>(user)->stamp(pass); };
     info.user = &s.commands;
-    const bool shadows = request.view == View::shaded;
+    const bool shadows = request.view == View::shaded || info.settings.lightCount > 0;
     const PictureTracing tracing{&s.tracer.context(info.primaryMode()),
                                  shadows ? &s.tracer.context(info.shadowMode()) : nullptr};
     s.reserve(info);
@@ -109,26 +150,32 @@ Picture Renderer::render(const DeviceTree& tree, const DeviceTriangles& triangle
     Picture picture;
     picture.width = request.camera.width;
     picture.height = request.camera.height;
-    PictureState state =
-        s.run(picture, [&] { cmdRender(s.commands.handle(), s.kernels, tracing, info, s.scratch.ranges()); });
-    picture.invalidRays = state.primary.invalidRays;
-    const auto resume = [&](PictureRays rays, TraceCounters PictureState::*counters) {
-        for (uint32_t i = 1; (state.*counters).unfinishedRays > 0 && i < s.limits.mostDispatches; i++)
-            state = s.run(picture, [&] {
-                cmdResumePicture(s.commands.handle(), s.kernels, tracing, info, s.scratch.ranges(), rays);
-            });
-    };
-    resume(PictureRays::primary, &PictureState::primary);
-    resume(PictureRays::shadow, &PictureState::shadow);
-    picture.cappedRays = state.primary.unfinishedRays + state.shadow.unfinishedRays;
+    PictureState state{};
+    while (picture.samples < info.samples) {
+        state = s.sample(picture, tracing, info, picture.samples++);
+        picture.invalidRays += state.primary.invalidRays;
+        picture.cappedRays += state.primary.unfinishedRays + state.shadow.unfinishedRays;
+        if (request.goesOn && !request.goesOn(picture.samples)) break;
+    }
+    s.samples = picture.samples;
+    s.run(picture, [&] { cmdShowPicture(s.commands.handle(), s.kernels, info, s.scratch.ranges(), picture.samples); });
     const ViewScale scale = viewScale(state.lowBits, state.highBits);
     picture.scaleLow = scale.low;
     picture.scaleHigh = scale.high;
-    picture.pixels = s.read<uint32_t>(s.at.pixels, s.pixels);
+    picture.pixels = s.read<uint32_t>(s.at.pixels, s.pixels());
     return picture;
 }
 
-std::vector<Ray> Renderer::readRays() const { return state_->read<Ray>(state_->at.rays, state_->pixels); }
-std::vector<Hit> Renderer::readHits() const { return state_->read<Hit>(state_->at.hits, state_->pixels); }
+std::vector<Ray> Renderer::readRays() const { return state_->read<Ray>(state_->at.rays, state_->pixels()); }
+std::vector<Hit> Renderer::readHits() const { return state_->read<Hit>(state_->at.hits, state_->pixels()); }
+
+std::vector<vec3> Renderer::readRadiance() const {
+    const ImageCamera& camera = state_->camera;
+    const std::vector<vec3> sums = state_->read<vec3>(state_->at.radiance, state_->pixels());
+    std::vector<vec3> means(sums.size());
+    for (uint32_t i = 0; i < sums.size(); i++)
+        means[pixelOf(i, camera.width, camera.height)] = sums[i] / static_cast<float>(state_->samples);
+    return means;
+}
 
 }  // namespace cleave

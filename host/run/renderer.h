@@ -1,6 +1,7 @@
 // Makes pictures on the device: from a camera to pixels in one submission.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -9,17 +10,30 @@
 
 namespace cleave {
 
-// The materials of a scene, as a picture needs them.
+// What surfaces are made of, as a picture needs it.
 struct DeviceMaterials {
-    Buffer materialOf;   // uint32 per triangle
-    Buffer baseColours;  // vec4 per material, linear
+    Buffer materialOf;  // uint32 per triangle
+    Buffer materials;
 
-    DeviceMaterials(Device& device, std::span<const uint32_t> materialOf, std::span<const glm::vec4> baseColours);
+    DeviceMaterials(Device& device, std::span<const uint32_t> materialOf, std::span<const Material> materials);
+};
+
+// What lights paths.
+struct Lighting {
+    Sky sky{};
+    std::vector<LightSource> lights;
 };
 
 struct PictureRequest {
     ImageCamera camera{};
     View view = View::shaded;
+    uint32_t samples = 1;  // of a pixel, in the views of takesSamples(); 1: through its centre
+    uint32_t bounces = 8;  // of paths
+    uint32_t seed = 0;     // of samples and paths
+    float exposure = 1.0f;
+    Lighting lighting;  // of paths
+    // Asked after each sample with how many there are: false ends the picture with these.
+    std::function<bool(uint32_t samples)> goesOn;
     Traversal traversal = Traversal::restart;
     TriangleTest test = TriangleTest::watertight;
 };
@@ -27,9 +41,10 @@ struct PictureRequest {
 struct Picture {
     uint32_t width = 0;
     uint32_t height = 0;
+    uint32_t samples = 0;          // that each pixel has
     std::vector<uint32_t> pixels;  // R | G << 8 | B << 16 | A << 24, sRGB, row by row from the top
     double ms = 0.0;               // device time of all passes
-    double traceMs = 0.0;          // of the primary rays alone
+    double traceMs = 0.0;          // of the primary rays alone; of paths: of all but shadow rays
     uint64_t invalidRays = 0;
     uint64_t cappedRays = 0;
     float scaleLow = 0.0f;  // the ends of the scale of depth, steps and leaves; what lies beyond looks like the end
@@ -44,10 +59,12 @@ class Renderer {
     Picture render(const DeviceTree& tree, const DeviceTriangles& triangles, const DeviceMaterials& materials,
                    const PictureRequest& request);
 
-    // The primary rays of the last picture and their hits, tile by tile (pixelOf() in shared/picture.h). They are read
-    // from the device, where they stay otherwise.
+    // The primary rays of the last picture's last sample and their hits, tile by tile (pixelOf() in shared/picture.h).
+    // They are read from the device, where they stay otherwise. Paths overwrite theirs.
     std::vector<Ray> readRays() const;
     std::vector<Hit> readHits() const;
+    // The mean radiance of each pixel, linear, row by row.
+    std::vector<vec3> readRadiance() const;
 
   private:
     struct State;

@@ -2,8 +2,8 @@
 
 namespace cleave::twin {
 
-void countHistogram(PictureArrays& a, uint32_t round) {
-    const uint32_t shift = 24 - 8 * round;
+void countHistogram(PictureArrays& a, PassNumbers numbers) {
+    const uint32_t shift = 24 - 8 * numbers.round;
     for (size_t i = 0; i < a.rays.size(); i++) {
         if (!countsInScale(a.view, a.hits[i])) continue;
         const uint64_t count = shownCount(a.view, a.steps[i]);

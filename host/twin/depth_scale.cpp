@@ -2,7 +2,7 @@
 
 namespace cleave::twin {
 
-void depthScale(PictureArrays& a, uint32_t) {
+void depthScale(PictureArrays& a, PassNumbers) {
     for (size_t i = 0; i < a.rays.size(); i++) {
         if (a.hits[i].prim == kNone) continue;
         const float reach = depthReach(a.rays[i], a.hits[i], a.bounds, a.exponent);

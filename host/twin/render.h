@@ -6,7 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "shared/shade.h"
+#include "shared/picture_args.h"
+#include "shared/tone.h"
 
 namespace cleave {
 
@@ -17,25 +18,40 @@ struct PictureArrays {
     std::vector<StepCount> steps;
     std::vector<Ray> shadowRays;
     std::vector<Hit> shadowHits;
+    std::vector<vec3> throughput, direct, radiance;
     std::vector<uint32_t> pixels;
     PictureState state{};
     Box bounds{};      // of the tree
     int exponent = 0;  // of the tree
     std::vector<Triangle> triangles;
     std::vector<uint32_t> materialOf;
-    std::vector<glm::vec4> baseColours;
+    std::vector<Material> materials;
+    std::vector<LightSource> lights;
+    std::vector<SpecularAlbedo> albedo;
     ImageCamera camera{};
     uint32_t view = kViewShaded;
+    uint32_t samples = 1;
+    float exposure = 1.0f;
+    PathSettings settings{};
+};
+
+// As PicturePush.
+struct PassNumbers {
+    uint32_t round = 0;
+    uint32_t path = 0;
 };
 
 namespace twin {
 
-void cameraRays(PictureArrays& a, uint32_t round);
-void depthScale(PictureArrays& a, uint32_t round);
-void countHistogram(PictureArrays& a, uint32_t round);
-void selectCount(PictureArrays& a, uint32_t round);
-void shadowRays(PictureArrays& a, uint32_t round);
-void shade(PictureArrays& a, uint32_t round);
+void cameraRays(PictureArrays& a, PassNumbers numbers);
+void depthScale(PictureArrays& a, PassNumbers numbers);
+void countHistogram(PictureArrays& a, PassNumbers numbers);
+void selectCount(PictureArrays& a, PassNumbers numbers);
+void shadowRays(PictureArrays& a, PassNumbers numbers);
+void shade(PictureArrays& a, PassNumbers numbers);
+void pathScatter(PictureArrays& a, PassNumbers numbers);
+void pathGather(PictureArrays& a, PassNumbers numbers);
+void tone(PictureArrays& a, PassNumbers numbers);
 
 // The triangle of a hit in the scaled space of the tree.
 Triangle hitTriangle(const PictureArrays& a, const Hit& hit);

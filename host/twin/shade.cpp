@@ -19,18 +19,19 @@ glm::vec3 colourOf(const PictureArrays& a, size_t i) {
         default:
             break;
     }
-    if (hit.prim == kNone) return a.view == kViewShaded ? encoded(backgroundColour(a.rays[i].direction)) : black;
+    if (hit.prim == kNone) return a.view == kViewShaded ? backgroundColour(a.rays[i].direction) : black;
     const glm::vec3 normal = facingNormal(hitTriangle(a, hit), a.rays[i].direction);
     if (a.view == kViewNormals) return normal * 0.5f + 0.5f;
-    const glm::vec3 base(a.baseColours[a.materialOf[hit.prim]]);
-    return encoded(shadedColour(base, normal, a.shadowHits[i].prim == kNone));
+    const glm::vec3 base(a.materials[a.materialOf[hit.prim]].baseColour);
+    return shadedColour(base, normal, a.shadowHits[i].prim == kNone);
 }
 
 }  // namespace
 
-void shade(PictureArrays& a, uint32_t) {
-    for (uint32_t i = 0; i < a.rays.size(); i++)
-        a.pixels[pixelOf(i, a.camera.width, a.camera.height)] = packedColour(colourOf(a, i));
+void shade(PictureArrays& a, PassNumbers numbers) {
+    if (a.state.primary.unfinishedRays + a.state.shadow.unfinishedRays > 0) return;
+    for (size_t i = 0; i < a.rays.size(); i++)
+        a.radiance[i] = (numbers.path == 0 ? vec3(0.0f) : a.radiance[i]) + colourOf(a, i);
 }
 
 }  // namespace cleave::twin

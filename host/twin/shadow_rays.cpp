@@ -7,7 +7,7 @@ Triangle hitTriangle(const PictureArrays& a, const Hit& hit) {
                              : scaledTriangle(a.triangles[hit.prim], -a.exponent);
 }
 
-void shadowRays(PictureArrays& a, uint32_t) {
+void shadowRays(PictureArrays& a, PassNumbers) {
     for (size_t i = 0; i < a.rays.size(); i++) {
         const Hit& hit = a.hits[i];
         const Triangle world = hit.prim == kNone ? Triangle{} : a.triangles[hit.prim];

@@ -2,7 +2,8 @@
 #extension GL_EXT_buffer_reference2 : require
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_GOOGLE_include_directive : require
-#include "shared/shade.h"
+#include "shared/picture_args.h"
+#include "shared/tone.h"
 #include "lib/group.glsl"
 
 layout(push_constant, scalar) uniform Push { PicturePush push; };

@@ -1,5 +1,5 @@
 #version 460
-// Makes the ray through each pixel's centre. An invocation per ray.
+// Makes a ray through each pixel: through its centre, or where one of several samples is. An invocation per ray.
 #extension GL_GOOGLE_include_directive : require
 #include "lib/picture.glsl"
 
@@ -12,5 +12,6 @@ void main() {
     uint pixel = pixelOf(i, camera.width, camera.height);
     uint x = pixel % camera.width;
     uint y = pixel / camera.width;
-    args.rays.at[i] = imageRay(camera, double(x) + 0.5lf, double(y) + 0.5lf);
+    vec2 place = placeInPixel(args.samples, args.settings.seed, pixel, push.path);
+    args.rays.at[i] = imageRay(camera, double(x) + double(place.x), double(y) + double(place.y));
 }

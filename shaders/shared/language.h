@@ -28,6 +28,7 @@ using glm::uvec3;
 using glm::uvec4;
 using glm::vec2;
 using glm::vec3;
+using glm::vec4;
 using uint = uint32_t;
 
 inline uint floatBitsToUint(float x) { return std::bit_cast<uint>(x); }

@@ -12,6 +12,7 @@ CLEAVE_CONST uint kViewNormals = 1u;
 CLEAVE_CONST uint kViewDepth = 2u;   // t of the hit, near is bright
 CLEAVE_CONST uint kViewSteps = 3u;   // nodes and leaves visited
 CLEAVE_CONST uint kViewLeaves = 4u;  // triangles in the leaf of the hit
+CLEAVE_CONST uint kViewPath = 5u;    // light, as it goes from surface to surface
 
 // A camera and its image plane. Square pixels; image point (0, 0) is the upper left corner.
 struct ImageCamera {
@@ -99,48 +100,6 @@ CLEAVE_FN ViewScale viewScale(uint lowBits, uint highBits) {
     s.high = highBits == 0u ? 0.0f : fromOrderedBits(highBits);
     return s;
 }
-
-#ifndef __cplusplus
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer PictureStateRef { PictureState at; };
-CLEAVE_ARRAY(ColourArray, vec4);  // linear RGBA
-#endif
-
-// The arrays of a picture: name, element, its array in GLSL, how many. `n` is PictureCounts in render/picture_layout.h.
-#define CLEAVE_PICTURE_ARRAYS(ROW)                                                      \
-    ROW(rays, Ray, RayArray, n.pixels)                                                  \
-    ROW(hits, Hit, HitArray, n.pixels)                                                  \
-    ROW(trails, Trail, TrailArray, n.pixels)                                            \
-    ROW(steps, StepCount, StepCountArray, n.counted) /* for the views of counts only */ \
-    ROW(shadowRays, Ray, RayArray, n.shadowed)       /* for the shaded view only */     \
-    ROW(shadowHits, Hit, HitArray, n.shadowed)                                          \
-    ROW(shadowTrails, Trail, TrailArray, n.shadowed)                                    \
-    ROW(pixels, uint, UintArray, n.pixels) /* R | G << 8 | B << 16 | A << 24, sRGB, row by row */
-
-#define CLEAVE_PICTURE_FIELD(name, Element, Array, count) CLEAVE_ADDRESS(Array) name;
-
-struct PictureArgs {
-    CLEAVE_PICTURE_ARRAYS(CLEAVE_PICTURE_FIELD)
-    CLEAVE_ADDRESS(PictureStateRef) state;
-    CLEAVE_ADDRESS(Tree) tree;
-    CLEAVE_ADDRESS(TriangleArray) triangles;  // in world space, by number
-    CLEAVE_ADDRESS(UintArray) materialOf;     // by number
-    CLEAVE_ADDRESS(ColourArray) baseColours;
-    ImageCamera camera;
-    uint view;
-    uint count;  // of pixels
-};
-CLEAVE_SIZE(PictureArgs, 232);
-
-#ifndef __cplusplus
-layout(buffer_reference, scalar, buffer_reference_align = 8) buffer PictureArgsRef { PictureArgs at; };
-#endif
-
-struct PicturePush {
-    CLEAVE_ADDRESS(PictureArgsRef) args;
-    uint round;  // of count_histogram and select_count: 0 to 3, from the highest byte of the counts to the lowest
-    uint reserved;
-};
-CLEAVE_SIZE(PicturePush, 16);
 
 // The count that a pixel shows; `counts` is false where it shows none and does not matter to the scale.
 CLEAVE_FN bool countsInScale(uint view, Hit hit) { return view == kViewSteps || hit.prim != kNone; }

@@ -239,6 +239,11 @@ TEST(Options, BadValues) {
         expectRefused({"render", "--memory", memory}, "size");
     for (const char* count : {"0", "-1", "many", "1.5", ""})
         expectRefused({"render", "--check", count}, "whole number");
+    expectRefused({"render", "--spp", "0"}, "from 1 to");
+    expectRefused({"render", "--spp", "4", "--view", "depth"}, "shows one ray");
+    expectRefused({"render", "--exposure", "nan"}, "from -64 to 64");
+    expectRefused({"render", "--time-limit", "0"}, "above 0");
+    expectRefused({"render", "--bounces", "5000"}, "from 0 to 4096");
     expectRefused({"render", "--bins", "1"}, "from 2 to 512");
     expectRefused({"render", "--bins", "513", "--builder", "shevtsov"}, "from 2 to 512");
     expectRefused({"render", "--bins", "33"}, "gpu and twin have at most 32");

@@ -59,7 +59,7 @@ TEST_F(Program, WrongUseIsStatus2) {
                                                                    {"report"},
                                                                    {"render", "--size", "big"},
                                                                    {"render", scene_, "--builder", "nope"},
-                                                                   {"render", scene_, "--spp", "4"},
+                                                                   {"render", scene_, "--spp", "4", "--view", "steps"},
                                                                    {"trace", scene_},
                                                                    {"info"},
                                                                    {"info", scene_, "--runs", "3"},
@@ -243,6 +243,53 @@ TEST_F(Program, RenderWritesEveryKeyOfItsReport) {
     EXPECT_EQ(report["check"]["rays"], 500);
     EXPECT_EQ(report["check"]["mismatches"], 0);
     EXPECT_GT(report["trace"]["ms"], 0.0);
+}
+
+TEST_F(Program, PathsAreTheSameBytesEveryTime) {
+    for (const char* name : {"a.png", "b.png"}) {
+        const Outcome outcome = runCleave({"render", scene_, "-o", at(name), "--size", "32x24", "--view", "path",
+                                           "--spp", "3", "--check", "100", "--json", at("p.json")});
+        ASSERT_EQ(outcome.status, 0) << outcome.err;
+        EXPECT_NE(outcome.out.find("3 samples per pixel"), std::string::npos) << outcome.out;
+    }
+    EXPECT_EQ(contentOf(folder_ / "a.png"), contentOf(folder_ / "b.png"));
+    const Json report = reportOf("p.json");
+    EXPECT_EQ(report["render"]["samples"], 3);
+    EXPECT_EQ(report["check"]["mismatches"], 0);
+    EXPECT_EQ(report["check"]["rays"], 100);
+}
+
+TEST_F(Program, MoreSamplesSmoothTheEdgesOfAShadedPicture) {
+    const auto render = [&](const char* samples) {
+        const Outcome outcome = runCleave({"render", scene_, "-o", at("a.exr"), "--size", "32x24", "--spp", samples});
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        return contentOf(folder_ / "a.exr");
+    };
+    const std::string one = render("1");
+    EXPECT_EQ(one.substr(0, 4), "\x76\x2f\x31\x01") << "the mark of OpenEXR";
+    EXPECT_NE(one, render("4"));
+}
+
+TEST_F(Program, ATimeLimitKeepsTheSamplesThatThereAre) {
+    const Outcome outcome = runCleave({"render", scene_, "-o", at("a.png"), "--size", "64x48", "--view", "path",
+                                       "--spp", "1000000", "--time-limit", "0.2", "--json", at("p.json")});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const uint64_t samples = reportOf("p.json")["render"]["samples"];
+    EXPECT_GE(samples, 1u);
+    EXPECT_LT(samples, 1000000u);
+    EXPECT_TRUE(contentOf(folder_ / "a.png").starts_with("\x89PNG"));
+}
+
+// The program is told to end once it has begun to take samples; it writes what it has and says so.
+TEST_F(Program, AnInterruptedPictureIsSaved) {
+    const std::string interrupted = "f() { \"$@\" & sleep 3; kill -INT $!; wait $!; }; f";
+    const Outcome outcome =
+        runCleave({"render", scene_, "-o", at("a.png"), "--size", "64x48", "--view", "path", "--spp", "10000000"},
+                  "set -m; " + interrupted);
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.errorLines(), 1u) << outcome.err;
+    EXPECT_NE(outcome.err.find("interrupted after"), std::string::npos) << outcome.err;
+    EXPECT_TRUE(contentOf(folder_ / "a.png").starts_with("\x89PNG"));
 }
 
 TEST_F(Program, AnotherEyeGivesAnotherPicture) {

@@ -364,8 +364,8 @@ TEST(Record, PicturesGoOnWhereTheStepLimitEndedThem) {
     const DeviceTriangles triangles(device(), world);
     const auto tree = uploadTree(device(), set, buildExact(set, BuildSettings{}));
     const std::vector<uint32_t> materialOf(world.size(), 0);
-    const std::vector<glm::vec4> colours{{0.8f, 0.5f, 0.2f, 1.0f}};
-    const DeviceMaterials materials(device(), materialOf, colours);
+    const std::vector<Material> made{{{0.8f, 0.5f, 0.2f, 1.0f}, {0.0f, 0.0f, 0.0f}, 0.0f, 1.0f, 0}};
+    const DeviceMaterials materials(device(), materialOf, made);
     PictureRequest request;
     request.camera.eye = {0.5, 0.5, 4.0};
     request.camera.forward = {0, 0, -1};

@@ -12,10 +12,34 @@ TEST(CameraRays, EqualTwinAtEverySize) {
     for (const PictureSize& size : kPictureSizes) {
         SCOPED_TRACE(std::to_string(size.width) + " x " + std::to_string(size.height));
         PicturePair pair(size.width, size.height, View::normals, seed++);
-        const PictureArrays device = pair.onDevice(PictureKernels::camera_rays);
-        pair.onTwin(PictureKernels::camera_rays);
+        pair.arrays.samples = 1 + seed % 2;
+        const PassNumbers numbers{0, seed % 3};
+        const PictureArrays device = pair.onDevice(PictureKernels::camera_rays, numbers);
+        pair.onTwin(PictureKernels::camera_rays, numbers);
         for (size_t i = 0; i < device.rays.size(); i++)
             ASSERT_EQ(std::memcmp(&device.rays[i], &pair.arrays.rays[i], sizeof(Ray)), 0) << "ray " << i;
+    }
+}
+
+// A single sample is at the centre; several are all over the pixel, about its centre on the average.
+TEST(CameraRays, SamplesFillTheirPixel) {
+    EXPECT_EQ(placeInPixel(1, 7, 3, 0), vec2(0.5f));
+    glm::dvec2 sum(0.0);
+    vec2 low(1.0f), high(0.0f);
+    constexpr uint32_t kSamples = 4096;
+    for (uint32_t path = 0; path < kSamples; path++) {
+        const vec2 place = placeInPixel(kSamples, 7, 3, path);
+        sum += glm::dvec2(place);
+        low = glm::min(low, place);
+        high = glm::max(high, place);
+    }
+    EXPECT_NEAR(sum.x / kSamples, 0.5, 4.0 * 0.2887 / 64.0);
+    EXPECT_NEAR(sum.y / kSamples, 0.5, 4.0 * 0.2887 / 64.0);
+    for (int k = 0; k < 2; k++) {
+        EXPECT_GE(low[k], 0.0f);
+        EXPECT_LT(low[k], 0.01f);
+        EXPECT_LT(high[k], 1.0f);
+        EXPECT_GT(high[k], 0.99f);
     }
 }
 

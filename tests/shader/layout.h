@@ -4,7 +4,7 @@
 #include "shared/build.h"
 #include "shared/compact.h"
 #include "shared/peer_trace.h"
-#include "shared/picture.h"
+#include "shared/picture_args.h"
 #include "shared/trace.h"
 
 CLEAVE_BEGIN
@@ -17,6 +17,9 @@ struct LayoutRecord {
     Hit hit;
     Triangle triangle;
     TreeTriangle treeTriangle;
+    Material material;
+    LightSource light;
+    SpecularAlbedo albedo;
     PrimRef ref;
     BuildNode buildNode;
     Chunk chunk;
@@ -73,15 +76,23 @@ struct LayoutRecord {
     FLOAT(buildArgs.costs.leaf) FLOAT(buildArgs.costs.emptyBonus)                                                \
     ADDRESS(pictureArgs.state, PictureStateRef) ADDRESS(pictureArgs.tree, Tree)                                  \
     ADDRESS(pictureArgs.triangles, TriangleArray) ADDRESS(pictureArgs.materialOf, UintArray)                     \
-    ADDRESS(pictureArgs.baseColours, ColourArray) DOUBLE(pictureArgs.camera.pixel) UINT(pictureArgs.view)        \
-    UINT(pictureArgs.count)                                                                                      \
+    ADDRESS(pictureArgs.materials, MaterialArray) ADDRESS(pictureArgs.lights, LightArray)                        \
+    ADDRESS(pictureArgs.albedo, AlbedoTable) DOUBLE(pictureArgs.camera.pixel) UINT(pictureArgs.view)             \
+    UINT(pictureArgs.count) UINT(pictureArgs.samples) FLOAT(pictureArgs.exposure)                                \
+    FLOAT(pictureArgs.settings.sky.horizon.x) FLOAT(pictureArgs.settings.sky.zenith.z)                           \
+    UINT(pictureArgs.settings.lightCount) UINT(pictureArgs.settings.bounces) UINT(pictureArgs.settings.seed)     \
+    FLOAT(material.baseColour.x) FLOAT(material.emission.z) FLOAT(material.metallic) FLOAT(material.roughness)   \
+    UINT(material.flags)                                                                                         \
+    FLOAT(light.position.x) UINT(light.kind) FLOAT(light.direction.y) FLOAT(light.capHeight)                     \
+    FLOAT(light.intensity.z) FLOAT(light.range) FLOAT(light.cosInner) FLOAT(light.cosOuter)                      \
+    FLOAT(albedo.edge) FLOAT(albedo.loss)                                                                        \
     ADDRESS(buildPush.args, BuildArgsRef) UINT(buildPush.depth) UINT(buildPush.scans)                            \
     ADDRESS(tracePush.tree, Tree) ADDRESS(tracePush.rays, RayArray) ADDRESS(tracePush.hits, HitArray)            \
     ADDRESS(tracePush.steps, StepCountArray) ADDRESS(tracePush.counters, TraceCountersRef)                       \
     ADDRESS(tracePush.trails, TrailArray) UINT(tracePush.rayCount) UINT(tracePush.stepLimit)                     \
     UINT(tracePush.flags)                                                                                        \
     ADDRESS(compactPush.from, Tree) ADDRESS(compactPush.to, Tree) UINT(compactPush.invocations)                  \
-    ADDRESS(picturePush.args, PictureArgsRef) UINT(picturePush.round)                                            \
+    ADDRESS(picturePush.args, PictureArgsRef) UINT(picturePush.round) UINT(picturePush.path)                                            \
     ADDRESS(peerPush.scene, uvec2) ADDRESS(peerPush.rays, RayArray) ADDRESS(peerPush.hits, HitArray)             \
     UINT(peerPush.rayCount) UINT(peerPush.reserved)
 

@@ -13,9 +13,9 @@ TEST(SelectCount, EqualsTwinAtEverySizeInEveryRound) {
         SCOPED_TRACE(std::to_string(size.width) + " x " + std::to_string(size.height));
         PicturePair pair(size.width, size.height, View::steps, seed++);
         for (uint32_t round = 0; round < 4; round++) {
-            pair.onTwin(PictureKernels::count_histogram, round);
-            const PictureArrays device = pair.onDevice(PictureKernels::select_count, round);
-            pair.onTwin(PictureKernels::select_count, round);
+            pair.onTwin(PictureKernels::count_histogram, {round, 0});
+            const PictureArrays device = pair.onDevice(PictureKernels::select_count, {round, 0});
+            pair.onTwin(PictureKernels::select_count, {round, 0});
             ASSERT_EQ(std::memcmp(&device.state, &pair.arrays.state, sizeof(PictureState)), 0) << "round " << round;
         }
     }
@@ -37,8 +37,8 @@ TEST(SelectCount, FindsTheNthOfTheSortedCounts) {
             }
             std::sort(counts.begin(), counts.end());
             for (uint32_t round = 0; round < 4; round++) {
-                pair.onTwin(PictureKernels::count_histogram, round);
-                pair.onTwin(PictureKernels::select_count, round);
+                pair.onTwin(PictureKernels::count_histogram, {round, 0});
+                pair.onTwin(PictureKernels::select_count, {round, 0});
             }
             const PictureState& state = pair.arrays.state;
             const float high = viewScale(state.lowBits, state.highBits).high;

@@ -1,6 +1,7 @@
 #include "support/picture.h"
 
 #include "gpu/commands.h"
+#include "render/albedo_table.h"
 #include "shared/tree.h"
 
 namespace cleave::test {
@@ -44,11 +45,20 @@ PicturePair::PicturePair(uint32_t width, uint32_t height, View view, uint32_t se
     arrays.triangles = world;
     arrays.bounds = set.bounds;
     arrays.exponent = set.exponent;
-    arrays.baseColours = {{1.0f, 0.5f, 0.25f, 1.0f}, {0.0f, 0.8f, 0.1f, 1.0f}, {0.3f, 0.3f, 0.3f, 1.0f}};
+    arrays.materials = {{{1.0f, 0.5f, 0.25f, 1.0f}, {0.0f, 0.0f, 0.0f}, 0.0f, 0.9f, 0},
+                        {{0.0f, 0.8f, 0.1f, 1.0f}, {0.5f, 2.0f, 0.0f}, 0.7f, 0.3f, 0},
+                        {{0.3f, 0.3f, 0.3f, 1.0f}, {0.0f, 0.0f, 0.0f}, 1.0f, 0.5f, seed % 2 * kMaterialUnlit}};
+    arrays.lights = {
+        {{0.0f, 3.0f, 0.0f}, kLightPoint, {0.0f, -1.0f, 0.0f}, 0.0f, {5.0f, 4.0f, 3.0f}, infinity(), 0, 0},
+        {{30.0f, 0.0f, 9.0f}, kLightSpot, {0.0f, 0.0f, -1.0f}, 0.0f, {9.0f, 9.0f, 9.0f}, 200.0f, 0.9f, 0.1f},
+        {{}, kLightDirectional, {0.0f, -0.6f, 0.8f}, 0.01f, {1.0f, 1.0f, 0.5f}, 0.0f, 0, 0}};
+    static const std::vector<SpecularAlbedo> kAlbedo = albedoTable();
+    arrays.albedo = kAlbedo;
+    arrays.settings = {{{0.9f, 0.8f, 0.7f}, {0.2f, 0.3f, 0.9f}}, 3, 4, seed};
     for (uint32_t i = 0; i < world.size(); i++) arrays.materialOf.push_back(i % 3);
     arrays.camera = cameraOf(width, height, seed);
     arrays.view = static_cast<uint32_t>(view);
-    const bool steps = countsSteps(view), shadows = view == View::shaded;
+    const bool steps = countsSteps(view), walks = view == View::path, shadows = walks || view == View::shaded;
     for (uint32_t i = 0; i < pixels; i++) {
         arrays.rays.push_back(
             {{unit(random), unit(random), unit(random)}, 0.0f, {unit(random) - 0.5f, unit(random) - 0.5f, 0.7f}, 9.0f});
@@ -61,11 +71,20 @@ PicturePair::PicturePair(uint32_t width, uint32_t height, View view, uint32_t se
             arrays.steps.push_back({below(1u << (8 * (1 + i % 4) - 1)), below(10), below(30), 0, below(70000), 0});
     }
     if (shadows) arrays.shadowRays.resize(pixels);
+    for (uint32_t i = 0; i < pixels; i++) {
+        arrays.radiance.emplace_back(unit(random), unit(random), unit(random));
+        if (!walks) continue;
+        arrays.throughput.emplace_back(unit(random), unit(random), unit(random));
+        arrays.direct.emplace_back(unit(random), unit(random), unit(random));
+        if (i % 7 == 6) arrays.rays[i] = noRay();
+    }
     arrays.pixels.resize(pixels);
 
     triangles_ = uploaded(device(), std::span<const Triangle>(arrays.triangles));
     materialOf_ = uploaded(device(), std::span<const uint32_t>(arrays.materialOf));
-    baseColours_ = uploaded(device(), std::span<const glm::vec4>(arrays.baseColours));
+    materials_ = uploaded(device(), std::span<const Material>(arrays.materials));
+    lights_ = uploaded(device(), std::span<const LightSource>(arrays.lights));
+    albedo_ = uploaded(device(), std::span<const SpecularAlbedo>(arrays.albedo));
     TreeData tree{};
     tree.bounds = set.bounds;
     tree.exponent = set.exponent;
@@ -75,13 +94,18 @@ PicturePair::PicturePair(uint32_t width, uint32_t height, View view, uint32_t se
     scratch_.reserve(device(), {&bytes, 1});
 }
 
-PictureArrays PicturePair::onDevice(PictureKernels::Pass pass, uint32_t round) {
+PictureArrays PicturePair::onDevice(PictureKernels::Pass pass, PassNumbers numbers) {
     Buffer& scratch = const_cast<Buffer&>(scratch_.buffer(0));
     PictureInfo info;
     info.tree = tree_.address();
     info.triangles = triangles_.address();
     info.materialOf = materialOf_.address();
-    info.baseColours = baseColours_.address();
+    info.materials = materials_.address();
+    info.lights = lights_.address();
+    info.albedo = albedo_.address();
+    info.samples = arrays.samples;
+    info.exposure = arrays.exposure;
+    info.settings = arrays.settings;
     info.camera = arrays.camera;
     info.view = static_cast<View>(arrays.view);
     const PictureArgs args = pictureArgs(info, at_, scratch_.ranges());
@@ -101,6 +125,9 @@ PictureArrays PicturePair::onDevice(PictureKernels::Pass pass, uint32_t round) {
         both(result.steps, at_.steps, up);
         both(result.shadowRays, at_.shadowRays, up);
         both(result.shadowHits, at_.shadowHits, up);
+        both(result.throughput, at_.throughput, up);
+        both(result.direct, at_.direct, up);
+        both(result.radiance, at_.radiance, up);
         both(result.pixels, at_.pixels, up);
     };
     all(true);
@@ -109,20 +136,21 @@ PictureArrays PicturePair::onDevice(PictureKernels::Pass pass, uint32_t round) {
     const uint32_t groups = pass == PictureKernels::select_count ? 1 : ceilDiv(args.count, kGroup);
     kernels()
         .recorder(commands.handle())
-        .dispatch(kernels()[pass], PicturePush{scratch.address() + at_.args.offset, round, 0}, groups);
+        .dispatch(kernels()[pass], PicturePush{scratch.address() + at_.args.offset, numbers.round, numbers.path},
+                  groups);
     commands.run();
     all(false);
     scratch.read(at_.state.offset, &result.state, sizeof(PictureState));
     return result;
 }
 
-void PicturePair::onTwin(PictureKernels::Pass pass, uint32_t round) {
-    static constexpr void (*kTwins[])(PictureArrays&, uint32_t) = {
+void PicturePair::onTwin(PictureKernels::Pass pass, PassNumbers numbers) {
+    static constexpr void (*kTwins[])(PictureArrays&, PassNumbers) = {
 #define CLEAVE_TWIN(kernel, twinOf) twin::twinOf,
         CLEAVE_PICTURE_PASSES(CLEAVE_TWIN)
 #undef CLEAVE_TWIN
     };
-    kTwins[pass](arrays, round);
+    kTwins[pass](arrays, numbers);
 }
 
 }  // namespace cleave::test

@@ -16,12 +16,12 @@ class PicturePair {
     PictureArrays arrays;  // the twin's
 
     // Runs a pass on the device with the arrays as they are now; what it leaves there.
-    PictureArrays onDevice(PictureKernels::Pass pass, uint32_t round = 0);
+    PictureArrays onDevice(PictureKernels::Pass pass, PassNumbers numbers = {});
     // Runs its twin, which changes `arrays`.
-    void onTwin(PictureKernels::Pass pass, uint32_t round = 0);
+    void onTwin(PictureKernels::Pass pass, PassNumbers numbers = {});
 
   private:
-    Buffer triangles_, materialOf_, baseColours_, tree_;
+    Buffer triangles_, materialOf_, materials_, lights_, albedo_, tree_;
     RangeBuffers scratch_;
     PictureLayout at_;
 };

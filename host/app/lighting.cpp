@@ -1,0 +1,67 @@
+#include "app/lighting.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cleave {
+namespace {
+
+// Half of what the sun's disc measures in the sky, as its sine; about twice the real one, so that shadows are seen to
+// be soft.
+constexpr float kSineOfSun = 0.01f;
+// Irradiance across the sun's direction, and radiance of the sky: a white surface in full light is near 1.
+constexpr vec3 kSun{3.6f, 3.25f, 2.7f};
+constexpr Sky kDaySky{{0.42f, 0.48f, 0.55f}, {0.14f, 0.26f, 0.48f}};
+
+vec3 emissionOf(const gltf::Material& material) { return material.emissive * material.emissiveStrength; }
+
+LightSource sourceOf(const gltf::Light& light, const PlacedLight& placed) {
+    LightSource source{};
+    source.position = vec3(placed.position);
+    source.direction = vec3(placed.direction);
+    source.kind = light.type == gltf::LightType::directional ? kLightDirectional
+                  : light.type == gltf::LightType::spot      ? kLightSpot
+                                                             : kLightPoint;
+    source.intensity = vec3(light.colour * light.intensity);
+    source.range = static_cast<float>(light.range);
+    source.cosInner = static_cast<float>(std::cos(light.innerConeAngle));
+    source.cosOuter = static_cast<float>(std::cos(light.outerConeAngle));
+    return source;
+}
+
+bool surfaceShines(const Scene& scene, const PosedScene& posed) {
+    return std::any_of(posed.materialOf.begin(), posed.materialOf.end(), [&](uint32_t material) {
+        return largestComponent(emissionOf(scene.materials[material])) > 0.0f;
+    });
+}
+
+LightSource sun() {
+    LightSource source{};
+    source.kind = kLightDirectional;
+    source.direction = towardsSun() * -1.0f;
+    source.capHeight = capHeight(kSineOfSun);
+    source.intensity = kSun;
+    return source;
+}
+
+}  // namespace
+
+std::vector<Material> materialsOf(const Scene& scene) {
+    std::vector<Material> all;
+    for (const gltf::Material& m : scene.materials)
+        all.push_back({m.baseColour, emissionOf(m), m.metallic, m.roughness, m.unlit ? kMaterialUnlit : 0u});
+    return all;
+}
+
+Lighting lightingOf(const Scene& scene, const PosedScene& posed) {
+    Lighting lighting;
+    for (const PlacedLight& placed : posed.lights)
+        lighting.lights.push_back(sourceOf(scene.lights[placed.light], placed));
+    if (lighting.lights.empty() && !surfaceShines(scene, posed)) {
+        lighting.sky = kDaySky;
+        lighting.lights.push_back(sun());
+    }
+    return lighting;
+}
+
+}  // namespace cleave

@@ -1,0 +1,14 @@
+#version 460
+// Makes the colour of each pixel from the mean of its samples. An invocation per ray.
+#extension GL_GOOGLE_include_directive : require
+#include "lib/picture.glsl"
+
+layout(local_size_x = kGroup) in;
+
+void main() {
+    uint i = rayIndex();
+    if (i >= args.count) return;
+    vec3 mean = args.radiance.at[i] / float(push.path);
+    args.pixels.at[pixelOf(i, args.camera.width, args.camera.height)] =
+        packedColour(shownColour(args.view, mean, args.exposure));
+}

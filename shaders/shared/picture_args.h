@@ -1,0 +1,62 @@
+// What the kernels of a picture are given: arrays, the scene, settings.
+#ifndef CLEAVE_SHARED_PICTURE_ARGS_H
+#define CLEAVE_SHARED_PICTURE_ARGS_H
+#include "path.h"
+
+CLEAVE_BEGIN
+
+#ifndef __cplusplus
+layout(buffer_reference, scalar, buffer_reference_align = 4) buffer PictureStateRef { PictureState at; };
+CLEAVE_ARRAY(Vec3Array, vec3);
+#endif
+
+// The arrays of a picture: name, element, its array in GLSL, how many. `n` is PictureCounts in render/picture_layout.h.
+#define CLEAVE_PICTURE_ARRAYS(ROW)                                                               \
+    ROW(rays, Ray, RayArray, n.pixels)                                                           \
+    ROW(hits, Hit, HitArray, n.pixels)                                                           \
+    ROW(trails, Trail, TrailArray, n.pixels)                                                     \
+    ROW(steps, StepCount, StepCountArray, n.counted) /* for the views of counts only */          \
+    ROW(shadowRays, Ray, RayArray, n.shadowed)       /* for the views of light only */           \
+    ROW(shadowHits, Hit, HitArray, n.shadowed)                                                   \
+    ROW(shadowTrails, Trail, TrailArray, n.shadowed)                                             \
+    ROW(throughput, vec3, Vec3Array, n.walked) /* of the path that the ray goes on with */       \
+    ROW(direct, vec3, Vec3Array, n.walked)     /* what a path finds if its shadow ray is free */ \
+    ROW(radiance, vec3, Vec3Array, n.pixels)   /* the sum of all samples, or of colours */       \
+    ROW(pixels, uint, UintArray, n.pixels)     /* R | G << 8 | B << 16 | A << 24, sRGB, row by row */
+
+#define CLEAVE_PICTURE_FIELD(name, Element, Array, count) CLEAVE_ADDRESS(Array) name;
+
+struct PictureArgs {
+    CLEAVE_PICTURE_ARRAYS(CLEAVE_PICTURE_FIELD)
+    CLEAVE_ADDRESS(PictureStateRef) state;
+    CLEAVE_ADDRESS(Tree) tree;
+    CLEAVE_ADDRESS(TriangleArray) triangles;  // in world space, by number
+    CLEAVE_ADDRESS(UintArray) materialOf;     // by number
+    CLEAVE_ADDRESS(MaterialArray) materials;
+    CLEAVE_ADDRESS(LightArray) lights;   // for paths
+    CLEAVE_ADDRESS(AlbedoTable) albedo;  // for paths
+    ImageCamera camera;
+    uint view;
+    uint count;    // of pixels
+    uint samples;  // of a pixel; a single one is at its centre
+    float exposure;
+    PathSettings settings;
+    uint reserved;
+};
+CLEAVE_SIZE(PictureArgs, 320);
+
+#ifndef __cplusplus
+layout(buffer_reference, scalar, buffer_reference_align = 8) buffer PictureArgsRef { PictureArgs at; };
+#endif
+
+struct PicturePush {
+    CLEAVE_ADDRESS(PictureArgsRef) args;
+    // Of count_histogram and select_count: 0 to 3, from the highest byte of the counts to the lowest. Of path_scatter:
+    // the bounce, from 0.
+    uint round;
+    uint path;  // the sample, from 0; of tone: how many there are
+};
+CLEAVE_SIZE(PicturePush, 16);
+
+CLEAVE_END
+#endif
