@@ -278,7 +278,6 @@ CLEAVE_FN BrdfSample sampleBrdf(Surface s, AlbedoTable table, vec3 towardsViewer
     r.direction = vec3(0.0f, 0.0f, 1.0f);
     r.weight = vec3(0.0f);
     r.density = 0.0f;
-    if (!(towardsViewer.z >= kLeastCosine)) return r;
     Lobes l = lobesOf(s, table);
     SpecularAlbedo viewerAlbedo = lookedUpAlbedo(table, l.roughness, towardsViewer.z);
     vec2 across = vec2(u.y, u.z);
