@@ -1,9 +1,9 @@
-// Makes the table that shaders/shared/brdf.h looks the specular lobe's directional albedo up in.
+// Makes the table that shaders/shared/specular_albedo.h looks the specular lobe's directional albedo up in.
 #pragma once
 
 #include <vector>
 
-#include "shared/brdf.h"
+#include "shared/specular_albedo.h"
 
 namespace cleave {
 

@@ -7,11 +7,12 @@
 // facets, which has the shape loss(v) loss(l); and under both a diffuse lobe of the shape rest(v) rest(l), where rest
 // is what the other two leave. White surfaces reflect all that comes in, dielectric or metal; nothing reflects more;
 // and light that goes the other way is reflected alike. It rests on a table of the specular lobe's directional albedo,
-// and holds as exactly as its lookup: to 0.006 at worst, near the horizon of a nearly smooth surface, and 0.0003 on
+// and holds as exactly as its lookup: to 0.004 at worst, near the horizon of a nearly smooth surface, and 0.0002 on
 // average.
 #ifndef CLEAVE_SHARED_BRDF_H
 #define CLEAVE_SHARED_BRDF_H
-#include "sampling.h"
+#include "ggx.h"
+#include "specular_albedo.h"
 
 CLEAVE_BEGIN
 
@@ -22,71 +23,8 @@ struct Surface {
 };
 CLEAVE_SIZE(Surface, 20);
 
-// Smoother surfaces look like this one: alpha, the square of the roughness, is 0.0016, and a reflection is spread over
-// about 0.1 degrees. Float could not hold the lobe of a mirror.
-CLEAVE_CONST float kLeastRoughness = 0.04f;
 // Directions closer to the horizon count as below it, where there is no light.
 CLEAVE_CONST float kLeastCosine = 1.0e-6f;
-
-// What a specular lobe reflects of light from one direction in all: f0 (1 - loss) + (1 - f0) edge. That is f0 A + B of
-// Karis (2013), with A = 1 - loss - edge and B = edge, but keeps the digits of a small loss.
-struct SpecularAlbedo {
-    float edge;  // by the part (1 - v.h)^5 of Schlick's Fresnel
-    float loss;  // what would be lost if F were 1, since light that hits a second facet is left out
-};
-CLEAVE_SIZE(SpecularAlbedo, 8);
-
-// A row per roughness, in equal steps of its square root from that of kLeastRoughness to 1. An entry per cosine, in
-// equal steps of its fourth root from 0 to 1, and one more: the mean over the hemisphere, weighted by the cosine.
-CLEAVE_CONST uint kAlbedoRows = 48u;
-CLEAVE_CONST uint kAlbedoColumns = 48u;
-CLEAVE_CONST uint kAlbedoStride = kAlbedoColumns + 1u;
-CLEAVE_CONST float kLeastAlbedoRoot = 0.2f;  // of kLeastRoughness
-
-#ifdef __cplusplus
-struct AlbedoTable {
-    const SpecularAlbedo* at;
-};
-#else
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer AlbedoTable { SpecularAlbedo at[]; };
-#endif
-
-CLEAVE_FN SpecularAlbedo mixedAlbedo(SpecularAlbedo a, SpecularAlbedo b, float t) {
-    precise float edge = a.edge + (b.edge - a.edge) * t;
-    precise float loss = a.loss + (b.loss - a.loss) * t;
-    SpecularAlbedo r;
-    r.edge = edge;
-    r.loss = loss;
-    return r;
-}
-
-// The row that a roughness lies at, or after.
-CLEAVE_FN float albedoRow(float roughness) {
-    precise float step = (1.0f - kLeastAlbedoRoot) / float(kAlbedoRows - 1u);
-    precise float row = (sqrt(min(max(kLeastRoughness, roughness), 1.0f)) - kLeastAlbedoRoot) / step;
-    return max(0.0f, row);
-}
-
-CLEAVE_FN SpecularAlbedo lookedUpAlbedo(AlbedoTable table, float roughness, float cosine) {
-    float row = albedoRow(roughness);
-    precise float column = float(kAlbedoColumns - 1u) * sqrt(sqrt(min(max(0.0f, cosine), 1.0f)));
-    uint i = min(uint(row), kAlbedoRows - 2u);
-    uint j = min(uint(column), kAlbedoColumns - 2u);
-    uint k = i * kAlbedoStride + j;
-    uint above = k + kAlbedoStride;
-    precise float down = row - float(i);
-    precise float along = column - float(j);
-    return mixedAlbedo(mixedAlbedo(table.at[k], table.at[k + 1u], along),
-                       mixedAlbedo(table.at[above], table.at[above + 1u], along), down);
-}
-
-CLEAVE_FN SpecularAlbedo meanAlbedo(AlbedoTable table, float roughness) {
-    float row = albedoRow(roughness);
-    uint i = min(uint(row), kAlbedoRows - 2u);
-    uint k = i * kAlbedoStride + kAlbedoColumns;
-    precise float down = row - float(i);
-    return mixedAlbedo(table.at[k], table.at[k + kAlbedoStride], down);
-}
 
 // The three lobes of a surface.
 struct Lobes {
@@ -133,72 +71,6 @@ CLEAVE_FN vec3 broadBrdf(Lobes l, SpecularAlbedo viewer, SpecularAlbedo light) {
     precise vec3 under = restOf(l, viewer) * restOf(l, light) / max(restOf(l, l.mean), vec3(1.0e-6f));
     precise vec3 value = (l.scattered * bounces + l.diffuse * under) * kInversePi;
     return value;
-}
-
-// GGX's distribution of microfacet normals (Walter et al. 2007). Near the normal the tangent has digits that the cosine
-// lacks.
-CLEAVE_FN float ggx(float alpha, vec3 facet) {
-    precise float x = facet.x / alpha;
-    precise float y = facet.y / alpha;
-    precise float t = x * x + y * y;
-    t = t + facet.z * facet.z;
-    precise float density = kInversePi / (alpha * alpha * (t * t));
-    return density;
-}
-
-// What Smith's terms for GGX are made of: sqrt(alpha^2 sin^2 + cos^2).
-CLEAVE_FN float smithRoot(float alpha, float cosine) {
-    precise float square = alpha * alpha;
-    precise float root = sqrt(square + (1.0f - square) * (cosine * cosine));
-    return root;
-}
-
-CLEAVE_FN vec3 unitVector(vec3 v) {
-    float scale = 1.0f / sqrt(preciseDot(v, v));
-    precise vec3 unit = v * scale;
-    return unit;
-}
-
-// Both directions are above the horizon. The microfacet BRDF without its Fresnel factor is D * V,
-// V = G / (4 cos(v) cos(l)); see the specification.
-CLEAVE_FN float facetBrdf(float alpha, vec3 facet, vec3 viewer, vec3 light) {
-    precise float masking = light.z * smithRoot(alpha, viewer.z) + viewer.z * smithRoot(alpha, light.z);
-    precise float value = ggx(alpha, facet) * 0.5f / masking;
-    return value;
-}
-
-// Density of reflections of the viewer in a visible facet (Heitz 2018), those into the surface included.
-CLEAVE_FN float reflectionDensity(float alpha, vec3 facet, vec3 viewer) {
-    precise float masking = viewer.z + smithRoot(alpha, viewer.z);
-    precise float density = ggx(alpha, facet) * 0.5f / masking;
-    return density;
-}
-
-CLEAVE_FN vec3 schlick(vec3 f0, float cosine) {
-    precise float c = 1.0f - min(max(0.0f, cosine), 1.0f);
-    precise float square = c * c;
-    precise float fifth = square * square * c;
-    precise vec3 f = f0 + (vec3(1.0f) - f0) * fifth;
-    return f;
-}
-
-// The normal of a facet that the viewer sees, as likely as it is seen: a point of the hemisphere's shadow, where the
-// surface is stretched until it is a hemisphere (Heitz 2018).
-CLEAVE_FN vec3 visibleFacet(float alpha, vec3 viewer, vec2 u) {
-    precise vec3 stretched = vec3(alpha * viewer.x, alpha * viewer.y, viewer.z);
-    vec3 z = unitVector(stretched);
-    precise float square = z.x * z.x + z.y * z.y;
-    vec3 x = vec3(1.0f, 0.0f, 0.0f);
-    if (square > 1.0e-30f) x = unitVector(vec3(-z.y, z.x, 0.0f));
-    vec3 y = preciseCross(z, x);
-    vec2 disc = concentricDisc(u);
-    precise float share = 0.5f + 0.5f * z.z;
-    precise float chord = sqrt(max(0.0f, 1.0f - disc.x * disc.x));
-    precise float across = (1.0f - share) * chord + share * disc.y;
-    float height = heightOver(vec2(disc.x, across));
-    precise vec3 n = x * disc.x + y * across + z * height;
-    precise vec3 facet = vec3(alpha * n.x, alpha * n.y, max(1.0e-6f, n.z));
-    return unitVector(facet);
 }
 
 // How often a sample is drawn in each way: as the share of what it suits is, on the average of the channels. Bounces
@@ -278,7 +150,6 @@ CLEAVE_FN BrdfSample sampleBrdf(Surface s, AlbedoTable table, vec3 towardsViewer
     r.direction = vec3(0.0f, 0.0f, 1.0f);
     r.weight = vec3(0.0f);
     r.density = 0.0f;
-    if (!(towardsViewer.z >= kLeastCosine)) return r;
     Lobes l = lobesOf(s, table);
     SpecularAlbedo viewerAlbedo = lookedUpAlbedo(table, l.roughness, towardsViewer.z);
     vec2 across = vec2(u.y, u.z);
