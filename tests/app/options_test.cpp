@@ -145,7 +145,7 @@ TEST(Options, WrongUseNamesWhatThereIs) {
     expectRefused({"bench", "a.glb", "--builder", "gpu,gpu"}, "twice");
     expectRefused({"bench", "a.glb", "--survey", "--builder", "gpu"}, "--survey");
     expectRefused({"trace", "a.glb", "b.npy", "--traversal", "ropes"}, "restart");
-    expectRefused({"render", "--view", "fog"}, "shaded, normals, depth, steps, leaves");
+    expectRefused({"render", "--view", "fog"}, "shaded, path, normals, depth, steps, leaves");
     expectRefused({"render", "--clip", "maybe"}, "on, off");
 }
 
@@ -219,7 +219,7 @@ TEST(Options, RulesOfTheHeuristic) {
 }
 
 TEST(Options, OptionsOfLaterAreNotTakenYet) {
-    for (const char* option : {"--spp", "--time", "--frames", "--aperture"}) {
+    for (const char* option : {"--time", "--frames", "--aperture"}) {
         expectRefused({"render", option, "4"}, option);
         expectRefused({"render", option, "4"}, "--size");
     }

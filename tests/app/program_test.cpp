@@ -282,10 +282,10 @@ TEST_F(Program, ATimeLimitKeepsTheSamplesThatThereAre) {
 
 // The program is told to end once it has begun to take samples; it writes what it has and says so.
 TEST_F(Program, AnInterruptedPictureIsSaved) {
-    const std::string interrupted = "f() { \"$@\" & sleep 3; kill -INT $!; wait $!; }; f";
-    const Outcome outcome =
-        runCleave({"render", scene_, "-o", at("a.png"), "--size", "64x48", "--view", "path", "--spp", "10000000"},
-                  "set -m; " + interrupted);
+    const std::string interrupted = "f() { \"$@\" & sleep 3; kill -TERM $!; wait $!; }; f";
+    const Outcome outcome = runCleave({"render", scene_, "-o", at("a.png"), "--size", "64x48", "--view", "path",
+                                       "--spp", "10000000", "--time-limit", "60"},
+                                      interrupted);
     EXPECT_EQ(outcome.status, 1);
     EXPECT_EQ(outcome.errorLines(), 1u) << outcome.err;
     EXPECT_NE(outcome.err.find("interrupted after"), std::string::npos) << outcome.err;

@@ -119,7 +119,7 @@ TEST(Paths, AClosedBoxThatEmitsOneShowsTheSumOfItsBounces) {
     const ImageCamera camera = cameraAt({0.1, 0.2, 0.3}, {1, 0.1, -0.2}, {0, 1, 0}, 0.8, 64);
     for (const float base : {0.0f, 0.5f, 0.8f}) {
         const Mean albedo = meanOf(radiance(floorSquare(), surface(base, 0.0f, 1.0f), outside));
-        const Mean light = meanOf(radiance(box(), surface(base, 0.0f, 1.0f, 1.0f), requestOf(camera, 64, 512)));
+        const Mean light = meanOf(radiance(box(), surface(base, 0.0f, 1.0f, 1.0f), requestOf(camera, 32, 64)));
         std::printf("seed %u: base %.1f: albedo %.5f, light %.5f, standard error %.5f\n", kSeed, double{base},
                     albedo.value, light.value, light.error);
         EXPECT_GE(albedo.value, double{base});
