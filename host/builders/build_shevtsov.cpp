@@ -1,5 +1,7 @@
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+
 #include "builders/binning.h"
 #include "builders/builders.h"
 #include "builders/decomposition.h"
@@ -18,7 +20,8 @@ class BinnedChooser {
 
     Split operator()(const NodeToSplit& node) {
         const auto n = static_cast<uint32_t>(node.refs.size());
-        const Split best = n <= bins_ ? bestFace(node, kAllAxes) : binned(node, n);
+        // With no more references than bins, counting at each face is exact and costs less.
+        const Split best = n <= std::min<size_t>(bins_, kMostScanned) ? bestFace(node, kAllAxes) : binned(node, n);
         return isWorthwhile(node.costs, best, node.cell, n, node.depth, maxDepth_) ? best : noSplit();
     }
 

@@ -66,6 +66,22 @@ TEST_P(BuildShevtsov, CostsLittleMoreThanExact) {
     }
 }
 
+// Few bins cost something, many cost time and no more than that.
+TEST_P(BuildShevtsov, TakesAnyNumberOfBins) {
+    for (const auto& triangles : {test::bumpySphere(60), test::soup(3, 8000, 0.02f)}) {
+        const TriangleSet set = makeTriangleSet(triangles);
+        const double exact = costOf(buildExact(set, {}));
+        for (const uint32_t bins : {2u, 33u, 64u, 65u, 100u, kMostBins}) {
+            SCOPED_TRACE(bins);
+            BuildSettings settings = withThreads(GetParam());
+            settings.bins = bins;
+            const KdTree tree = buildShevtsov(set, settings);
+            expectValid(tree, set);
+            EXPECT_LE(costOf(tree), (bins < 32 ? 1.5 : 1.1) * exact);
+        }
+    }
+}
+
 // Every part straddles every plane, or all lie in one: nothing to share out, and no harm done.
 TEST_P(BuildShevtsov, SurvivesWhatCannotBeSharedOut) {
     std::vector<Triangle> sheet;
