@@ -39,7 +39,7 @@ class PictureRecording {
         if (counts_.counted > 0) trace.steps = address(at_.steps);
         recorder_.barrier();
         cmdTrace(recorder_.commands(), *tracing_.primary, trace);
-        note("trace");
+        note(bounce_ == 0 ? "trace" : "trace bounces");
     }
 
     void scale() {

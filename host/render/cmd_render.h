@@ -49,7 +49,8 @@ struct PictureInfo {
     TriangleTest test = TriangleTest::watertight;
     VkDeviceSize largestRange = 0;  // as BuildInfo::largestRange
     uint32_t stepLimit = 0;         // as TraceInfo::stepLimit
-    // Called while recording, after each pass: for timestamps. The passes that trace are "trace" and "trace shadows".
+    // Called while recording, after each pass: for timestamps. The passes that trace are "trace", "trace shadows"
+    // and, of paths, "trace bounces".
     void (*onPass)(void* user, const char* pass) = nullptr;
     void* user = nullptr;
 

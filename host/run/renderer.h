@@ -44,7 +44,7 @@ struct Picture {
     uint32_t samples = 0;          // that each pixel has
     std::vector<uint32_t> pixels;  // R | G << 8 | B << 16 | A << 24, sRGB, row by row from the top
     double ms = 0.0;               // device time of all passes
-    double traceMs = 0.0;          // of the primary rays alone; of paths: of all but shadow rays
+    double traceMs = 0.0;          // of the primary rays alone, all samples
     uint64_t invalidRays = 0;
     uint64_t cappedRays = 0;
     float scaleLow = 0.0f;  // the ends of the scale of depth, steps and leaves; what lies beyond looks like the end
