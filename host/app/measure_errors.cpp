@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/hash.h"
 #include "base/text.h"
+#include "figures/error_rows.h"
 #include "figures/timing.h"
 
 namespace cleave {
@@ -42,19 +43,13 @@ constexpr const char* kAllRays = "all";
 
 // The rays of a set, or all, through a tree.
 std::optional<WorkSample> sampleOf(const TracedErrors& traced, std::optional<size_t> set) {
-    WorkSample sample;
-    double rays = 0.0;
-    for (size_t k = 0; k < kRaySets.size(); ++k) {
-        if (traced.sets[k].runs.empty() || (set && *set != k)) continue;
-        const auto of = static_cast<double>(traced.sets[k].rays);
-        sample.inner += of * traced.counts[k].inner;
-        sample.triangles += of * traced.counts[k].triangles;
-        sample.nanoseconds += 1e6 * medianOf(traced.sets[k].runs);
-        rays += of;
-    }
-    if (rays == 0.0) return std::nullopt;
-    for (double* sum : {&sample.inner, &sample.triangles, &sample.nanoseconds}) *sum /= rays;
-    return sample;
+    const uint64_t rays = set ? traced.sets[*set].rays : sumOf(traced.sets).rays;
+    if (rays == 0) return std::nullopt;
+    double ms = 0.0;
+    for (size_t k = 0; k < kRaySets.size(); ++k)
+        if (!traced.sets[k].runs.empty() && (!set || *set == k)) ms += medianOf(traced.sets[k].runs);
+    const RayCounts counts = set ? traced.counts[*set] : meanCounts(traced);
+    return WorkSample{counts.inner, counts.triangles, 1e6 * ms / static_cast<double>(rays)};
 }
 
 // Medians know no costs, and their trees are unlike those that a fit is for.
@@ -169,16 +164,16 @@ class Measurement {
 
     // The first build on the CPU starts threads and touches memory for all that follow: it is not counted, as on the
     // device nothing is before the warm-up.
+    static uint32_t notCounted(const Subject& subject) { return subject.builder == Builder::gpu ? 0 : 1; }
+
     BuiltTree buildTimed(const Subject& subject, uint32_t runs) {
-        if (subject.builder == Builder::gpu) return session_.buildTimed(subject.builder, runs, subject.build);
-        BuiltTree built = session_.buildTimed(subject.builder, runs + 1, subject.build);
-        built.runs.erase(built.runs.begin());
+        BuiltTree built = session_.buildTimed(subject.builder, runs + notCounted(subject), subject.build);
+        built.runs.erase(built.runs.begin(), built.runs.begin() + notCounted(subject));
         return built;
     }
     std::vector<double> timeBuilds(const Subject& subject, uint32_t runs) {
-        if (subject.builder == Builder::gpu) return session_.timeBuilds(subject.builder, runs, subject.build);
-        std::vector<double> times = session_.timeBuilds(subject.builder, runs + 1, subject.build);
-        times.erase(times.begin());
+        std::vector<double> times = session_.timeBuilds(subject.builder, runs + notCounted(subject), subject.build);
+        times.erase(times.begin(), times.begin() + notCounted(subject));
         return times;
     }
 

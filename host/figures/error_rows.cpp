@@ -53,6 +53,18 @@ SetErrors sumOf(const AllSetErrors& sets) {
     return sum;
 }
 
+RayCounts meanCounts(const TracedErrors& traced) {
+    RayCounts mean;
+    const double rays = std::max(static_cast<double>(sumOf(traced.sets).rays), 1.0);
+    for (size_t k = 0; k < kRaySets.size(); ++k) {
+        const double share = static_cast<double>(traced.sets[k].rays) / rays;
+        mean.inner += share * traced.counts[k].inner;
+        mean.leaves += share * traced.counts[k].leaves;
+        mean.triangles += share * traced.counts[k].triangles;
+    }
+    return mean;
+}
+
 std::vector<ErrorRow> treeRows(const SceneErrors& scene) {
     std::vector<ErrorRow> rows;
     for (const TreeErrors& tree : scene.trees) {

@@ -34,6 +34,9 @@ Spread timeOfAll(const AllSetErrors& sets);
 // Their rays, added up; no runs.
 SetErrors sumOf(const AllSetErrors& sets);
 
+// What a ray of all sets meets on the average.
+RayCounts meanCounts(const TracedErrors& traced);
+
 double percentAbove(double value, double base);
 
 // {"tree": rows, "rays": rows, "hits": rows} of all scenes.

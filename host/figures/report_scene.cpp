@@ -110,17 +110,11 @@ std::string raySection(const SceneErrors& scene, const ReportSettings& settings)
     for (size_t i = 0; i < errors.size(); ++i) {
         const ErrorRow& row = errors[i];
         const TracedErrors& traced = scene.traced[i];
-        double nodes = 0.0, tests = 0.0, rays = 0.0;
-        for (size_t k = 0; k < kRaySets.size(); ++k) {
-            const auto of = static_cast<double>(traced.sets[k].rays);
-            nodes += of * (traced.counts[k].inner + traced.counts[k].leaves);
-            tests += of * traced.counts[k].triangles;
-            rays += of;
-        }
+        const RayCounts mean = meanCounts(traced);
         const std::string name = nameOf(scene.trees[traced.tree]);
         rows.push_back({name, errorText(row.error), errorText(row.errorLow) + " to " + errorText(row.errorHigh),
-                        fixed(nodes / std::max(rays, 1.0), 1), fixed(tests / std::max(rays, 1.0), 2),
-                        medianText(row.time), rangeOf(row.time), std::to_string(row.time.runs), frontMark(row)});
+                        fixed(mean.inner + mean.leaves, 1), fixed(mean.triangles, 2), medianText(row.time),
+                        rangeOf(row.time), std::to_string(row.time.runs), frontMark(row)});
         sets.push_back({name});
         for (const SetErrors& set : traced.sets) {
             const Spread spread = spreadOrNone(set.runs);

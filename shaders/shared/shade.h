@@ -4,6 +4,8 @@
 #include "geometry.h"
 #include "picture.h"
 
+#include "light.h"
+
 CLEAVE_BEGIN
 
 // The sun is a direction; the light that comes from everywhere else is a little blue.
@@ -89,10 +91,10 @@ CLEAVE_FN vec3 shadedColour(vec3 baseColour, vec3 normal, bool lit) {
 
 // Linear light of the sky in a direction.
 CLEAVE_FN vec3 backgroundColour(vec3 direction) {
-    float length = largestComponent(direction);
-    vec3 d = scaledBy(direction, 1.0f / max(length, kSmallestNormal));
-    float up = d.y / sqrt(max(dotOf(d, d), kSmallestNormal));
-    return mixed(vec3(0.82f, 0.84f, 0.86f), vec3(0.32f, 0.48f, 0.72f), min(max(up + 0.15f, 0.0f), 1.0f));
+    Sky sky;
+    sky.horizon = vec3(0.82f, 0.84f, 0.86f);
+    sky.zenith = vec3(0.32f, 0.48f, 0.72f);
+    return skyRadiance(sky, direction);
 }
 
 // sRGB of linear light (IEC 61966-2-1).

@@ -2,14 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "plot/count_of.h"
+
 namespace cleave::test {
 namespace {
-
-size_t countOf(const std::string& text, const std::string& part) {
-    size_t count = 0;
-    for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++count;
-    return count;
-}
 
 // x from 0 to 10 with margins of 5 %: 11 units over 546; y from 0 to 100, 110 over 352.
 CurvePlot linear() {

@@ -4,14 +4,10 @@
 
 #include <regex>
 
+#include "plot/count_of.h"
+
 namespace cleave::test {
 namespace {
-
-size_t countOf(const std::string& text, const std::string& part) {
-    size_t count = 0;
-    for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++count;
-    return count;
-}
 
 PlotPoint pointAt(double x, double y, const std::string& label, bool onFront) {
     return {0, x, y, x, x, y, y, label, onFront};
