@@ -17,6 +17,15 @@ namespace {
 
 constexpr uint32_t kMostStamps = 32;
 
+// A seed as the kernels take it, who combine it with the sample's number by exclusive or. With its bits in reverse, the
+// numbers of two seeds have nothing in common as long as seeds and samples have 32 bits together; as it is, seeds 0 and
+// 1 would give the same samples in another order.
+uint32_t mixedSeed(uint32_t seed) {
+    uint32_t reversed = 0;
+    for (int bit = 0; bit < 32; ++bit) reversed |= (seed >> bit & 1u) << (31 - bit);
+    return reversed;
+}
+
 // Loads the functions that the kernels go on using.
 Functions functionsOf(const Device& device) {
     Functions functions;
@@ -134,7 +143,7 @@ Picture Renderer::render(const DeviceTree& tree, const DeviceTriangles& triangle
     info.view = request.view;
     info.samples = request.samples;
     info.exposure = request.exposure;
-    info.settings.seed = request.seed;
+    info.settings.seed = mixedSeed(request.seed);
     if (request.view == View::path) s.lightPaths(info, request);
     info.traversal = request.traversal;
     info.test = request.test;
