@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/alias_table.h"
+
 namespace cleave {
 namespace {
 
@@ -29,10 +31,38 @@ LightSource sourceOf(const gltf::Light& light, const PlacedLight& placed) {
     return source;
 }
 
+// Unlit ones show their colour and no more.
+bool shines(const gltf::Material& material) { return !material.unlit && largestComponent(emissionOf(material)) > 0.0f; }
+
 bool surfaceShines(const Scene& scene, const PosedScene& posed) {
-    return std::any_of(posed.materialOf.begin(), posed.materialOf.end(), [&](uint32_t material) {
-        return largestComponent(emissionOf(scene.materials[material])) > 0.0f;
-    });
+    return std::any_of(posed.materialOf.begin(), posed.materialOf.end(),
+                       [&](uint32_t material) { return shines(scene.materials[material]); });
+}
+
+double areaOf(const Triangle& t) {
+    const dvec3 a(t.a);
+    return 0.5 * glm::length(glm::cross(dvec3(t.b) - a, dvec3(t.c) - a));
+}
+
+// Power is brightness times area. Triangles without an area, or that are not finite, are in no tree: no ray meets them.
+void addEmitters(Lighting& lighting, const Scene& scene, const PosedScene& posed) {
+    std::vector<double> powers;
+    std::vector<uint32_t> triangles;
+    double all = 0.0;
+    for (uint32_t i = 0; i < posed.triangles.size(); ++i) {
+        const gltf::Material& material = scene.materials[posed.materialOf[i]];
+        if (!shines(material)) continue;
+        const double power = areaOf(posed.triangles[i]) * double{brightnessOf(emissionOf(material))};
+        if (!(power > 0.0) || !std::isfinite(power)) continue;
+        powers.push_back(power);
+        triangles.push_back(i);
+        all += power;
+    }
+    const auto scale = static_cast<float>(1.0 / std::sqrt(all));
+    // Beyond what floats hold, surfaces are found by chance alone, as light is that nobody looks for.
+    if (triangles.empty() || !(scale >= kSmallestNormal) || !std::isfinite(scale)) return;
+    lighting.emitterTable = aliasTable(powers, triangles);
+    lighting.emitters = {static_cast<uint32_t>(lighting.emitterTable.size()), scale};
 }
 
 LightSource sun() {
@@ -61,6 +91,7 @@ Lighting lightingOf(const Scene& scene, const PosedScene& posed) {
         lighting.sky = kDaySky;
         lighting.lights.push_back(sun());
     }
+    addEmitters(lighting, scene, posed);
     return lighting;
 }
 

@@ -1,6 +1,7 @@
 #include "app/measure_paths.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 #include "app/lighting.h"
@@ -64,8 +65,7 @@ class PathMeasurement {
         measured.errors = {nameOf(built_.builder),  plan_.width, plan_.height, plan_.reference, kParts,
                            100.0 * reference.error, {}};
         const std::vector<uint32_t> referencePixels = shownPixels(reference.radiance);
-        for (uint32_t samples = plan_.fewest; samples <= plan_.most; samples *= 2)
-            measured.errors.pictures.push_back(pictures(samples, reference.radiance, referencePixels));
+        addPictures(measured.errors.pictures, reference.radiance, referencePixels);
         measured.shown = {fewestSamples(), {"paths", "reference", encoded(referencePixels)}};
         return measured;
     }
@@ -115,25 +115,39 @@ class PathMeasurement {
         return parts;
     }
 
-    SampledPictures pictures(uint32_t samples, const std::vector<vec3>& reference,
-                             const std::vector<uint32_t>& referencePixels) {
-        const uint32_t count = std::max(run_.options.runs, std::min(kMostPictures, plan_.most / samples));
-        const uint32_t firstSeed = nextSeed_;
-        nextSeed_ += count;
-        return once(std::to_string(samples) + " samples", [&] {
-            if (!warm_) render(1, firstSeed);
-            warm_ = true;
-            SampledPictures figures;
-            figures.samples = samples;
-            for (uint32_t i = 0; i < count; ++i) {
-                const Picture picture = render(samples, firstSeed + i);
-                figures.runs.push_back(picture.ms);
-                figures.errors.push_back(100.0 * relativeRmse(run_.device.renderer().readRadiance(), reference));
-                figures.similarities.push_back(
-                    structuralSimilarity(picture.pixels, referencePixels, plan_.width, plan_.height));
+    uint32_t picturesOf(uint32_t samples) const {
+        return std::max(run_.options.runs, std::min(kMostPictures, plan_.most / samples));
+    }
+
+    // Round by round, there and back, so that what changes as time goes by disturbs all numbers of samples about alike.
+    void addPictures(std::vector<SampledPictures>& all, const std::vector<vec3>& reference,
+                     const std::vector<uint32_t>& referencePixels) {
+        for (uint32_t samples = plan_.fewest; samples <= plan_.most; samples *= 2) all.push_back({samples, {}, {}, {}});
+        for (uint32_t round = 0; round < picturesOf(plan_.fewest); ++round) {
+            for (SampledPictures& pictures : all) {
+                const uint32_t seed = nextSeed_++;
+                if (round >= picturesOf(pictures.samples)) continue;
+                const auto [error, similarity, ms] =
+                    once(std::to_string(pictures.samples) + " samples, round " + std::to_string(round),
+                         [&] { return picture(pictures.samples, seed, reference, referencePixels); });
+                pictures.errors.push_back(error);
+                pictures.similarities.push_back(similarity);
+                pictures.runs.push_back(ms);
             }
-            return figures;
-        });
+            std::reverse(all.begin(), all.end());
+        }
+        std::sort(all.begin(), all.end(),
+                  [](const SampledPictures& a, const SampledPictures& b) { return a.samples < b.samples; });
+    }
+
+    // Its error, its similarity, its milliseconds.
+    std::array<double, 3> picture(uint32_t samples, uint32_t seed, const std::vector<vec3>& reference,
+                                  const std::vector<uint32_t>& referencePixels) {
+        if (!warm_) render(1, seed);
+        warm_ = true;
+        const Picture made = render(samples, seed);
+        return {100.0 * relativeRmse(run_.device.renderer().readRadiance(), reference),
+                structuralSimilarity(made.pixels, referencePixels, plan_.width, plan_.height), made.ms};
     }
 
     std::string encoded(const std::vector<uint32_t>& shown) const {

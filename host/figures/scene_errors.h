@@ -116,7 +116,6 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TreeErrors, builder, settings, runs, hasCost,
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SetErrors, rays, judged, wrong, missed, falseHits, undecided, largestTError, runs)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LineErrors, unstopped, hitting, missing, beyond, descent, lines, hits)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ReportPicture, kind, caption, png)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SampledPictures, samples, errors, similarities, runs)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PeerSetFigures, rays, disagreements, runs)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PeerFigures, name, order, missing, buildRuns, sets)
 

@@ -73,7 +73,7 @@ class PictureRecording {
         for (;;) {
             perRay(PictureKernels::path_scatter, bounce_);
             if (bounce_++ == info_.settings.bounces) return;
-            if (info_.settings.lightCount > 0) {
+            if (lightChoices(info_.settings) > 0) {
                 shadowHits(false);
                 perRay(PictureKernels::path_gather);
             }
@@ -136,6 +136,7 @@ PictureArgs pictureArgs(const PictureInfo& info, const PictureLayout& at, const 
     a.materialOf = info.materialOf;
     a.materials = info.materials;
     a.lights = info.lights;
+    a.emitters = info.emitters;
     a.albedo = info.albedo;
     a.camera = info.camera;
     a.view = static_cast<uint32_t>(info.view);

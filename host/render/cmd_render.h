@@ -39,6 +39,7 @@ struct PictureInfo {
     VkDeviceAddress materialOf = 0;  // uint32 per triangle
     VkDeviceAddress materials = 0;   // Material of shared/material.h
     VkDeviceAddress lights = 0;      // LightSource of shared/light.h, settings.lightCount of them, for paths
+    VkDeviceAddress emitters = 0;    // AliasSlot of shared/emitter.h, settings.emitters.slots of them, for paths
     VkDeviceAddress albedo = 0;      // of render/albedo_table.h, for paths
     ImageCamera camera{};
     View view = View::shaded;

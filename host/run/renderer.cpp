@@ -55,7 +55,7 @@ struct Renderer::State {
     PictureLayout at;
     ImageCamera camera{};
     uint32_t samples = 0;
-    std::optional<Buffer> albedo, lights;  // of paths
+    std::optional<Buffer> albedo, lights, emitters;  // of paths
 
     size_t pixels() const { return size_t{camera.width} * camera.height; }
 
@@ -93,15 +93,22 @@ struct Renderer::State {
 
     PictureState state() const { return read<PictureState>(at.state, 1)[0]; }
 
+    template <class T>
+    std::optional<Buffer> uploadedIfAny(const std::vector<T>& items) {
+        if (items.empty()) return std::nullopt;
+        return uploaded(device, std::span<const T>(items));
+    }
+
     void lightPaths(PictureInfo& info, const PictureRequest& request) {
         if (!albedo) albedo = uploaded(device, std::span<const SpecularAlbedo>(albedoTable()));
-        lights.reset();
-        if (!request.lighting.lights.empty())
-            lights = uploaded(device, std::span<const LightSource>(request.lighting.lights));
+        lights = uploadedIfAny(request.lighting.lights);
+        emitters = uploadedIfAny(request.lighting.emitterTable);
         info.albedo = albedo->address();
         info.lights = lights ? lights->address() : 0;
+        info.emitters = emitters ? emitters->address() : 0;
         info.settings.sky = request.lighting.sky;
         info.settings.lightCount = static_cast<uint32_t>(request.lighting.lights.size());
+        info.settings.emitters = request.lighting.emitters;
         info.settings.bounces = request.bounces;
     }
 
@@ -151,7 +158,7 @@ Picture Renderer::render(const DeviceTree& tree, const DeviceTriangles& triangle
     info.stepLimit = s.limits.stepLimit;
     info.onPass = [](void* user, const char* pass) { static_cast<Commands*>(user)->stamp(pass); };
     info.user = &s.commands;
-    const bool shadows = request.view == View::shaded || info.settings.lightCount > 0;
+    const bool shadows = request.view == View::shaded || lightChoices(info.settings) > 0;
     const PictureTracing tracing{&s.tracer.context(info.primaryMode()),
                                  shadows ? &s.tracer.context(info.shadowMode()) : nullptr};
     s.reserve(info);

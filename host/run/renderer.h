@@ -22,6 +22,8 @@ struct DeviceMaterials {
 struct Lighting {
     Sky sky{};
     std::vector<LightSource> lights;
+    Emitters emitters{};
+    std::vector<AliasSlot> emitterTable;
 };
 
 struct PictureRequest {

@@ -19,6 +19,7 @@ struct PictureArrays {
     std::vector<Ray> shadowRays;
     std::vector<Hit> shadowHits;
     std::vector<vec3> throughput, direct, radiance;
+    std::vector<float> density;
     std::vector<uint32_t> pixels;
     PictureState state{};
     Box bounds{};      // of the tree
@@ -27,6 +28,7 @@ struct PictureArrays {
     std::vector<uint32_t> materialOf;
     std::vector<Material> materials;
     std::vector<LightSource> lights;
+    std::vector<AliasSlot> emitters;
     std::vector<SpecularAlbedo> albedo;
     ImageCamera camera{};
     uint32_t view = kViewShaded;

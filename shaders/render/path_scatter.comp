@@ -6,15 +6,36 @@
 
 layout(local_size_x = kGroup) in;
 
-PathStep stepOf(uint i, Ray ray, vec3 throughput) {
+Emitter emitterOf(TriangleChoice choice) {
+    Hit hit;
+    hit.prim = triangleOf(args.emitters.at[choice.slot], choice.u);
+    Emitter e;
+    e.world = args.triangles.at[hit.prim];
+    e.normal = facingNormal(hitTriangle(hit), vec3(0.0, 0.0, 1.0));
+    e.emission = args.materials.at[args.materialOf.at[hit.prim]].emission;
+    e.brightness = brightnessOf(e.emission);
+    return e;
+}
+
+ChosenLight lightFor(uint pixel) {
+    ChosenLight light;
+    if (lightChoices(args.settings) == 0u) return light;
+    uint index = lightOf(args.settings, pixel, push.path, push.round);
+    light.isSurface = index == args.settings.lightCount;
+    if (light.isSurface)
+        light.emitter = emitterOf(triangleChoice(args.settings, pixel, push.path, push.round));
+    else
+        light.source = args.lights.at[index];
+    return light;
+}
+
+PathStep stepOf(uint i, Ray ray, vec3 throughput, float density) {
     Hit hit = args.hits.at[i];
     if (hit.prim == kNone) return escape(args.settings, ray, throughput);
     uint pixel = pixelOf(i, args.camera.width, args.camera.height);
-    LightSource light;
-    if (args.settings.lightCount > 0u) light = args.lights.at[lightOf(args.settings, pixel, push.path, push.round)];
     return scatter(args.settings, args.albedo, ray, hit, args.triangles.at[hit.prim],
-                   facingNormal(hitTriangle(hit), ray.direction), args.materials.at[args.materialOf.at[hit.prim]], light,
-                   throughput, pixel, push.path, push.round);
+                   facingNormal(hitTriangle(hit), ray.direction), args.materials.at[args.materialOf.at[hit.prim]],
+                   lightFor(pixel), throughput, density, pixel, push.path, push.round);
 }
 
 void main() {
@@ -23,11 +44,16 @@ void main() {
     bool first = push.round == 0u;
     Ray ray = args.rays.at[i];
     PathStep s = endOfPath(vec3(0.0));
-    if (first || !isNoRay(ray)) s = stepOf(i, ray, first ? vec3(1.0) : args.throughput.at[i]);
+    if (first) {
+        s = stepOf(i, ray, vec3(1.0), 0.0);
+    } else if (!isNoRay(ray)) {
+        s = stepOf(i, ray, args.throughput.at[i], args.density.at[i]);
+    }
     vec3 before = first && push.path == 0u ? vec3(0.0) : args.radiance.at[i];
     args.radiance.at[i] = before + s.found;
     args.direct.at[i] = s.direct;
     args.shadowRays.at[i] = s.shadow;
     args.throughput.at[i] = s.throughput;
+    args.density.at[i] = s.density;
     args.rays.at[i] = s.next;
 }

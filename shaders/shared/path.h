@@ -4,7 +4,7 @@
 #include "shade.h"
 
 #include "brdf.h"
-#include "light.h"
+#include "emitter.h"
 #include "material.h"
 #include "random.h"
 
@@ -14,20 +14,22 @@ CLEAVE_BEGIN
 struct PathSettings {
     Sky sky;
     uint lightCount;  // of LightSource
-    uint bounces;     // surfaces that a path may be reflected by; beyond, it sees what shines itself and no more
+    Emitters emitters;
+    uint bounces;  // surfaces that a path may be reflected by; beyond, it sees what shines itself and no more
     uint seed;
 };
-CLEAVE_SIZE(PathSettings, 36);
+CLEAVE_SIZE(PathSettings, 44);
 
 // From this bounce on, paths that carry little are ended by chance, and the others carry what these would have.
 CLEAVE_CONST uint kFirstRoulette = 3u;
 CLEAVE_CONST float kMostSurvival = 0.95f;
 
 // Decisions of a path, three numbers each (see random.h): 0 is its place in the pixel, then these for each bounce.
-CLEAVE_CONST uint kDecisions = 3u;
+CLEAVE_CONST uint kDecisions = 4u;
 CLEAVE_CONST uint kDecideLight = 1u;
 CLEAVE_CONST uint kDecideDirection = 2u;
 CLEAVE_CONST uint kDecideEnd = 3u;
+CLEAVE_CONST uint kDecideTriangle = 4u;
 CLEAVE_FN uint dimensionOf(uint bounce, uint decision) { return bounce * kDecisions + decision; }
 
 // Where the sample of a pixel is in it; a single one is at its centre.
@@ -41,6 +43,7 @@ struct PathStep {
     vec3 direct;      // and that which does if nothing is met on the shadow ray
     Ray shadow;       // a point, where there is no light to look for
     vec3 throughput;  // of what the next ray finds
+    float density;    // of its direction, per solid angle
     Ray next;         // a point, where the path ends
 };
 
@@ -70,17 +73,60 @@ CLEAVE_FN PathStep endOfPath(vec3 found) {
     s.direct = vec3(0.0f);
     s.shadow = noRay();
     s.throughput = vec3(0.0f);
+    s.density = 0.0f;
     s.next = noRay();
     return s;
 }
 
 CLEAVE_FN vec3 unitDirection(vec3 d) { return unitVector(d * (1.0f / max(largestComponent(d), kSmallestNormal))); }
 
+// Lights that one is chosen of, all alike: each of the sources, and the surfaces that shine together.
+CLEAVE_FN uint lightChoices(PathSettings s) { return s.lightCount + (s.emitters.slots > 0u ? 1u : 0u); }
+
 CLEAVE_FN uint lightIndex(float u, uint count) { return min(uint(u * float(count)), count - 1u); }
 
+// lightCount: of the surfaces.
 CLEAVE_FN uint lightOf(PathSettings settings, uint pixel, uint path, uint bounce) {
     float u = sampleNumber(pixel, path ^ settings.seed, dimensionOf(bounce, kDecideLight));
-    return lightIndex(u, settings.lightCount);
+    return lightIndex(u, lightChoices(settings));
+}
+
+// What an alias table is asked with: a word for the slot, and a number for the choice in it.
+struct TriangleChoice {
+    uint slot;
+    float u;
+};
+CLEAVE_FN TriangleChoice triangleChoice(PathSettings settings, uint pixel, uint path, uint bounce) {
+    uvec3 bits = pcg3d(uvec3(pixel, path ^ settings.seed, dimensionOf(bounce, kDecideTriangle)));
+    TriangleChoice r;
+    r.slot = slotOf(bits.x, settings.emitters.slots);
+    r.u = unitFloat(bits.y);
+    return r;
+}
+
+// The light that a bounce looks for.
+struct ChosenLight {
+    bool isSurface;
+    LightSource source;  // or
+    Emitter emitter;
+};
+
+// Light of a surface is found in two ways, by looking for it and by the ray that goes on, and each find is weighted
+// with its density over that of both (the balance heuristic of Veach and Guibas 1995). Here of the latter: the ray had
+// the density `density` of its direction, and met the surface at `hit`. What a camera sees is looked for in no other
+// way.
+CLEAVE_FN float shareOfFinding(PathSettings settings, Ray ray, Hit hit, vec3 normal, float brightness, float density,
+                               uint bounce) {
+    if (bounce == 0u || settings.emitters.slots == 0u) return 1.0f;
+    float looked = emitterDensity(settings.emitters, brightness, hit.t, preciseDot(normal, ray.direction)) /
+                   float(lightChoices(settings));
+    return density / (density + looked);
+}
+
+// And of looking for it: over the density that it was looked for with. Other lights are found in no other way.
+CLEAVE_FN float shareOfLooking(PathSettings settings, Arrival arrival, float density) {
+    float choices = float(lightChoices(settings));
+    return arrival.density > 0.0f ? 1.0f / (arrival.density / choices + density) : choices;
 }
 
 // Of a path that meets nothing.
@@ -89,12 +135,17 @@ CLEAVE_FN PathStep escape(PathSettings settings, Ray ray, vec3 throughput) {
 }
 
 // Of a path that hits a triangle of the world, whose normal in the scaled space of the tree is given, since there it
-// neither overflows nor vanishes. `light` is that of lightOf().
+// neither overflows nor vanishes. `light` is that of lightOf(), `density` that of the ray's direction.
 CLEAVE_FN PathStep scatter(PathSettings settings, AlbedoTable table, Ray ray, Hit hit, Triangle world, vec3 normal,
-                           Material material, LightSource light, vec3 throughput, uint pixel, uint path, uint bounce) {
+                           Material material, ChosenLight light, vec3 throughput, float density, uint pixel, uint path,
+                           uint bounce) {
     if ((material.flags & kMaterialUnlit) != 0u)
         return endOfPath(throughput * vec3(material.baseColour.x, material.baseColour.y, material.baseColour.z));
-    PathStep s = endOfPath(throughput * material.emission);
+    PathStep s = endOfPath(vec3(0.0f));
+    float brightness = brightnessOf(material.emission);
+    if (brightness > 0.0f)
+        s.found =
+            throughput * material.emission * shareOfFinding(settings, ray, hit, normal, brightness, density, bounce);
     if (bounce >= settings.bounces) return s;
 
     Surface surface;
@@ -107,11 +158,17 @@ CLEAVE_FN PathStep scatter(PathSettings settings, AlbedoTable table, Ray ray, Hi
     vec3 origin = leavingOrigin(world, hit, ray.direction);
     uint seeded = path ^ settings.seed;
 
-    if (settings.lightCount > 0u) {
+    if (lightChoices(settings) > 0u) {
         vec3 u = sampleNumbers(pixel, seeded, dimensionOf(bounce, kDecideLight));
-        Arrival arrival = arrivalFrom(light, origin, vec2(u.y, u.z));
-        vec3 reflected = brdfTimesCosine(surface, table, viewer, toLocal(frame, arrival.towards));
-        s.direct = throughput * reflected * arrival.irradiance * float(settings.lightCount);
+        vec2 across = vec2(u.y, u.z);
+        Arrival arrival;
+        if (light.isSurface)
+            arrival = arrivalFromEmitter(settings.emitters, light.emitter, placeOnTriangle(across), origin);
+        else
+            arrival = arrivalFrom(light.source, origin, across);
+        BrdfValue value = evaluateBrdf(surface, table, viewer, toLocal(frame, arrival.towards));
+        s.direct =
+            throughput * value.timesCosine * arrival.irradiance * shareOfLooking(settings, arrival, value.density);
         if (largestComponent(s.direct) > 0.0f) s.shadow = rayFrom(origin, arrival.towards, arrival.distance);
     }
 
@@ -126,6 +183,7 @@ CLEAVE_FN PathStep scatter(PathSettings settings, AlbedoTable table, Ray ray, Hi
         carried = carried * (1.0f / survival);
     }
     s.throughput = carried;
+    s.density = way.density;
     s.next = rayFrom(origin, toWorld(frame, way.direction), infinity());
     return s;
 }

@@ -20,6 +20,7 @@ CLEAVE_ARRAY(Vec3Array, vec3);
     ROW(shadowHits, Hit, HitArray, n.shadowed)                                                   \
     ROW(shadowTrails, Trail, TrailArray, n.shadowed)                                             \
     ROW(throughput, vec3, Vec3Array, n.walked) /* of the path that the ray goes on with */       \
+    ROW(density, float, FloatArray, n.walked)  /* of its direction */                            \
     ROW(direct, vec3, Vec3Array, n.walked)     /* what a path finds if its shadow ray is free */ \
     ROW(radiance, vec3, Vec3Array, n.pixels)   /* the sum of all samples, or of colours */       \
     ROW(pixels, uint, UintArray, n.pixels)     /* R | G << 8 | B << 16 | A << 24, sRGB, row by row */
@@ -33,8 +34,9 @@ struct PictureArgs {
     CLEAVE_ADDRESS(TriangleArray) triangles;  // in world space, by number
     CLEAVE_ADDRESS(UintArray) materialOf;     // by number
     CLEAVE_ADDRESS(MaterialArray) materials;
-    CLEAVE_ADDRESS(LightArray) lights;   // for paths
-    CLEAVE_ADDRESS(AlbedoTable) albedo;  // for paths
+    CLEAVE_ADDRESS(LightArray) lights;  // for paths, and so are the rest
+    CLEAVE_ADDRESS(AliasArray) emitters;
+    CLEAVE_ADDRESS(AlbedoTable) albedo;
     ImageCamera camera;
     uint view;
     uint count;    // of pixels
@@ -43,7 +45,7 @@ struct PictureArgs {
     PathSettings settings;
     uint reserved;
 };
-CLEAVE_SIZE(PictureArgs, 320);
+CLEAVE_SIZE(PictureArgs, 344);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) buffer PictureArgsRef { PictureArgs at; };

@@ -98,11 +98,5 @@ TEST(PictureRows, WithoutAnErrorAreNotFitted) {
     EXPECT_NEAR(*logSlope(std::vector<LogPoints>{errorsBySamples(scene)}), -0.5, 1e-12);
 }
 
-TEST(PictureRows, SurviveAsJson) {
-    const SampledPictures pictures = sceneNamed("a.glb").paths.pictures[1];
-    EXPECT_EQ(nlohmann::json(nlohmann::json(pictures).get<SampledPictures>()), nlohmann::json(pictures));
-    EXPECT_EQ(nlohmann::json(pictures).get<SampledPictures>().runs.size(), 3u);
-}
-
 }  // namespace
 }  // namespace cleave::test

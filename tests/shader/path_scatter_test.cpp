@@ -31,6 +31,7 @@ TEST(PathScatter, EqualsTwinAtEverySizeAndBounce) {
                 const bool same = isNear(device.radiance[i], twin.radiance[i]) &&
                                   isNear(device.direct[i], twin.direct[i]) &&
                                   isNear(device.throughput[i], twin.throughput[i]) &&
+                                  isNear(vec3(device.density[i]), vec3(twin.density[i])) &&
                                   isNear(device.rays[i].origin, twin.rays[i].origin) &&
                                   isNear(device.rays[i].direction, twin.rays[i].direction) &&
                                   isNear(device.shadowRays[i].direction, twin.shadowRays[i].direction) &&

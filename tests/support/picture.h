@@ -21,7 +21,7 @@ class PicturePair {
     void onTwin(PictureKernels::Pass pass, PassNumbers numbers = {});
 
   private:
-    Buffer triangles_, materialOf_, materials_, lights_, albedo_, tree_;
+    Buffer triangles_, materialOf_, materials_, lights_, emitters_, albedo_, tree_;
     RangeBuffers scratch_;
     PictureLayout at_;
 };
