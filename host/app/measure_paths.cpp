@@ -146,8 +146,9 @@ class PathMeasurement {
         if (!warm_) render(1, seed);
         warm_ = true;
         const Picture made = render(samples, seed);
-        return {100.0 * relativeRmse(run_.device.renderer().readRadiance(), reference),
-                structuralSimilarity(made.pixels, referencePixels, plan_.width, plan_.height), made.ms};
+        const std::vector<vec3> radiance = run_.device.renderer().readRadiance();
+        return {100.0 * relativeRmse(radiance, reference),
+                structuralSimilarity(shownPixels(radiance), referencePixels, plan_.width, plan_.height), made.ms};
     }
 
     std::string encoded(const std::vector<uint32_t>& shown) const {

@@ -83,7 +83,7 @@ MeanPicture meanOfParts(std::span<const std::vector<vec3>> parts) {
 
 std::vector<uint32_t> shownPixels(std::span<const vec3> radiance) {
     std::vector<uint32_t> pixels;
-    for (const vec3& c : radiance) pixels.push_back(packedColour(shownColour(kViewPath, c, 1.0f)));
+    for (const vec3& c : radiance) pixels.push_back(packedColour(shownColour(kViewPath, c, vec4(0.0f), 1, 1.0f)));
     return pixels;
 }
 

@@ -55,6 +55,7 @@ struct Renderer::State {
     PictureLayout at;
     ImageCamera camera{};
     uint32_t samples = 0;
+    bool ofLight = false;
     std::optional<Buffer> albedo, lights, emitters;  // of paths
 
     size_t pixels() const { return size_t{camera.width} * camera.height; }
@@ -68,6 +69,7 @@ struct Renderer::State {
 
     void reserve(const PictureInfo& info) {
         camera = info.camera;
+        ofLight = isOfLight(static_cast<uint32_t>(info.view));
         at = pictureLayout(pictureCounts(info.camera.width, info.camera.height, static_cast<uint32_t>(info.view)),
                            info.largestRange);
         if (!at.ranges.fits())
@@ -188,9 +190,12 @@ std::vector<Hit> Renderer::readHits() const { return state_->read<Hit>(state_->a
 std::vector<vec3> Renderer::readRadiance() const {
     const ImageCamera& camera = state_->camera;
     const std::vector<vec3> sums = state_->read<vec3>(state_->at.radiance, state_->pixels());
+    const std::vector<vec4> unlit = state_->read<vec4>(state_->at.unlit, state_->ofLight ? sums.size() : 0);
     std::vector<vec3> means(sums.size());
-    for (uint32_t i = 0; i < sums.size(); i++)
-        means[pixelOf(i, camera.width, camera.height)] = sums[i] / static_cast<float>(state_->samples);
+    for (uint32_t i = 0; i < sums.size(); i++) {
+        const vec3 sum = unlit.empty() ? sums[i] : sums[i] + vec3(unlit[i]);
+        means[pixelOf(i, camera.width, camera.height)] = sum / static_cast<float>(state_->samples);
+    }
     return means;
 }
 

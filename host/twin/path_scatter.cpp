@@ -47,7 +47,14 @@ void pathScatter(PictureArrays& a, PassNumbers numbers) {
             s = stepOf(a, i, vec3(1.0f), 0.0f, numbers);
         else if (!isNoRay(a.rays[i]))
             s = stepOf(a, i, a.throughput[i], a.density[i], numbers);
-        a.radiance[i] = (first && numbers.path == 0 ? vec3(0.0f) : a.radiance[i]) + s.found;
+        if (first && numbers.path == 0) {
+            a.radiance[i] = vec3(0.0f);
+            a.unlit[i] = vec4(0.0f);
+        }
+        if (s.unlit)
+            a.unlit[i] += vec4(s.found, 1.0f);
+        else
+            a.radiance[i] += s.found;
         a.direct[i] = s.direct;
         a.shadowRays[i] = s.shadow;
         a.throughput[i] = s.throughput;

@@ -4,6 +4,10 @@ namespace cleave::twin {
 
 namespace {
 
+bool showsUnlit(const PictureArrays& a, const Hit& hit) {
+    return hit.prim != kNone && (a.materials[a.materialOf[hit.prim]].flags & kMaterialUnlit) != 0;
+}
+
 glm::vec3 colourOf(const PictureArrays& a, size_t i) {
     const Hit& hit = a.hits[i];
     const glm::vec3 black(0.0f);
@@ -23,6 +27,7 @@ glm::vec3 colourOf(const PictureArrays& a, size_t i) {
     const glm::vec3 normal = facingNormal(hitTriangle(a, hit), a.rays[i].direction);
     if (a.view == kViewNormals) return normal * 0.5f + 0.5f;
     const glm::vec3 base(a.materials[a.materialOf[hit.prim]].baseColour);
+    if (showsUnlit(a, hit)) return base;
     return shadedColour(base, normal, a.shadowHits[i].prim == kNone);
 }
 
@@ -30,8 +35,16 @@ glm::vec3 colourOf(const PictureArrays& a, size_t i) {
 
 void shade(PictureArrays& a, PassNumbers numbers) {
     if (a.state.primary.unfinishedRays + a.state.shadow.unfinishedRays > 0) return;
-    for (size_t i = 0; i < a.rays.size(); i++)
-        a.radiance[i] = (numbers.path == 0 ? vec3(0.0f) : a.radiance[i]) + colourOf(a, i);
+    if (numbers.path == 0) {
+        a.radiance.assign(a.radiance.size(), vec3(0.0f));
+        a.unlit.assign(a.unlit.size(), vec4(0.0f));
+    }
+    for (size_t i = 0; i < a.rays.size(); i++) {
+        if (isOfLight(a.view) && showsUnlit(a, a.hits[i]))
+            a.unlit[i] += vec4(colourOf(a, i), 1.0f);
+        else
+            a.radiance[i] += colourOf(a, i);
+    }
 }
 
 }  // namespace cleave::twin

@@ -49,8 +49,11 @@ void main() {
     } else if (!isNoRay(ray)) {
         s = stepOf(i, ray, args.throughput.at[i], args.density.at[i]);
     }
-    vec3 before = first && push.path == 0u ? vec3(0.0) : args.radiance.at[i];
-    args.radiance.at[i] = before + s.found;
+    bool none = first && push.path == 0u;
+    vec3 before = none ? vec3(0.0) : args.radiance.at[i];
+    args.radiance.at[i] = s.unlit ? before : before + s.found;
+    if (none) args.unlit.at[i] = vec4(0.0);
+    if (s.unlit) args.unlit.at[i] = args.unlit.at[i] + vec4(s.found, 1.0);
     args.direct.at[i] = s.direct;
     args.shadowRays.at[i] = s.shadow;
     args.throughput.at[i] = s.throughput;

@@ -40,6 +40,7 @@ CLEAVE_FN vec2 placeInPixel(uint samples, uint seed, uint pixel, uint path) {
 
 struct PathStep {
     vec3 found;       // radiance that reaches the camera from here
+    bool unlit;       // `found` is the colour of an unlit surface that the camera sees
     vec3 direct;      // and that which does if nothing is met on the shadow ray
     Ray shadow;       // a point, where there is no light to look for
     vec3 throughput;  // of what the next ray finds
@@ -70,6 +71,7 @@ CLEAVE_FN Ray rayFrom(vec3 origin, vec3 direction, float tMax) {
 CLEAVE_FN PathStep endOfPath(vec3 found) {
     PathStep s;
     s.found = found;
+    s.unlit = false;
     s.direct = vec3(0.0f);
     s.shadow = noRay();
     s.throughput = vec3(0.0f);
@@ -139,9 +141,12 @@ CLEAVE_FN PathStep escape(PathSettings settings, Ray ray, vec3 throughput) {
 CLEAVE_FN PathStep scatter(PathSettings settings, AlbedoTable table, Ray ray, Hit hit, Triangle world, vec3 normal,
                            Material material, ChosenLight light, vec3 throughput, float density, uint pixel, uint path,
                            uint bounce) {
-    if ((material.flags & kMaterialUnlit) != 0u)
-        return endOfPath(throughput * vec3(material.baseColour.x, material.baseColour.y, material.baseColour.z));
     PathStep s = endOfPath(vec3(0.0f));
+    if ((material.flags & kMaterialUnlit) != 0u) {
+        s.found = throughput * vec3(material.baseColour.x, material.baseColour.y, material.baseColour.z);
+        s.unlit = bounce == 0u;
+        return s;
+    }
     float brightness = brightnessOf(material.emission);
     if (brightness > 0.0f)
         s.found =

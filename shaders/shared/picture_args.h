@@ -8,6 +8,7 @@ CLEAVE_BEGIN
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 4) buffer PictureStateRef { PictureState at; };
 CLEAVE_ARRAY(Vec3Array, vec3);
+CLEAVE_ARRAY(Vec4Array, vec4);
 #endif
 
 // The arrays of a picture: name, element, its array in GLSL, how many. `n` is PictureCounts in render/picture_layout.h.
@@ -23,6 +24,7 @@ CLEAVE_ARRAY(Vec3Array, vec3);
     ROW(density, float, FloatArray, n.walked)  /* of its direction */                            \
     ROW(direct, vec3, Vec3Array, n.walked)     /* what a path finds if its shadow ray is free */ \
     ROW(radiance, vec3, Vec3Array, n.pixels)   /* the sum of all samples, or of colours */       \
+    ROW(unlit, vec4, Vec4Array, n.shadowed)    /* that of samples of unlit surfaces; how many */ \
     ROW(pixels, uint, UintArray, n.pixels)     /* R | G << 8 | B << 16 | A << 24, sRGB, row by row */
 
 #define CLEAVE_PICTURE_FIELD(name, Element, Array, count) CLEAVE_ADDRESS(Array) name;
@@ -45,7 +47,7 @@ struct PictureArgs {
     PathSettings settings;
     uint reserved;
 };
-CLEAVE_SIZE(PictureArgs, 344);
+CLEAVE_SIZE(PictureArgs, 352);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) buffer PictureArgsRef { PictureArgs at; };

@@ -9,6 +9,7 @@
 #include "render/albedo_table.h"
 #include "render/alias_table.h"
 #include "run/renderer.h"
+#include "shared/tone.h"
 #include "support/device.h"
 
 namespace cleave::test {
@@ -198,6 +199,31 @@ TEST(Paths, AreTheSameEveryTimeAndOtherwiseByAnotherSeed) {
         for (size_t i = 0; i < first.size(); ++i) same += first[i] == other[i] && first[i].x > 0.0f ? 1 : 0;
         EXPECT_LT(same, first.size() / 2) << seed << ": the background is, which is nearly even";
     }
+}
+
+// Whatever the exposure, in PNG; in EXR it is the colour, too. The floor fills the picture.
+TEST(Paths, UnlitSurfacesShowTheirColour) {
+    const std::vector<Triangle> world = floorSquare();
+    Material floor = surface(0.0f, 0.0f, 1.0f, 9.0f);
+    floor.baseColour = {0.9f, 0.5f, 0.05f, 1.0f};
+    floor.flags = kMaterialUnlit;
+    const TriangleSet set = makeTriangleSet(world);
+    const DeviceTriangles triangles(device(), world);
+    const auto tree = uploadTree(device(), set, buildExact(set, BuildSettings{}));
+    const DeviceMaterials materials(device(), std::vector<uint32_t>(2, 0), {&floor, 1});
+    Tracer tracer(device());
+    Renderer renderer(device(), tracer);
+    for (const View view : {View::path, View::shaded})
+        for (const float exposure : {0.25f, 1.0f, 4.0f}) {
+            PictureRequest request = requestOf(cameraAt({0, 1, 0}, {0, 0, 0}, {0, 0, 1}, 0.5, 16), 4, 3);
+            request.view = view;
+            request.exposure = exposure;
+            const Picture picture = renderer.render(*tree, triangles, materials, request);
+            for (const uint32_t pixel : picture.pixels)
+                ASSERT_EQ(pixel, packedColour(encoded(vec3(floor.baseColour)))) << exposure;
+            for (const vec3& radiance : renderer.readRadiance())
+                for (int k = 0; k < 3; ++k) ASSERT_NEAR(radiance[k], floor.baseColour[k], 1e-6f);
+        }
 }
 
 std::vector<vec3> minus(std::vector<vec3> a, const std::vector<vec3>& b) {

@@ -76,6 +76,7 @@ PicturePair::PicturePair(uint32_t width, uint32_t height, View view, uint32_t se
     if (shadows) arrays.shadowRays.resize(pixels);
     for (uint32_t i = 0; i < pixels; i++) {
         arrays.radiance.emplace_back(unit(random), unit(random), unit(random));
+        if (shadows) arrays.unlit.emplace_back(unit(random), unit(random), unit(random), below(3));
         if (!walks) continue;
         arrays.throughput.emplace_back(unit(random), unit(random), unit(random));
         arrays.density.push_back(2.0f * unit(random));
@@ -135,6 +136,7 @@ PictureArrays PicturePair::onDevice(PictureKernels::Pass pass, PassNumbers numbe
         both(result.density, at_.density, up);
         both(result.direct, at_.direct, up);
         both(result.radiance, at_.radiance, up);
+        both(result.unlit, at_.unlit, up);
         both(result.pixels, at_.pixels, up);
     };
     all(true);
