@@ -15,8 +15,6 @@ constexpr float kSineOfSun = 0.01f;
 constexpr vec3 kSun{3.6f, 3.25f, 2.7f};
 constexpr Sky kDaySky{{0.42f, 0.48f, 0.55f}, {0.14f, 0.26f, 0.48f}};
 
-vec3 emissionOf(const gltf::Material& material) { return material.emissive * material.emissiveStrength; }
-
 LightSource sourceOf(const gltf::Light& light, const PlacedLight& placed) {
     LightSource source{};
     source.position = vec3(placed.position);
@@ -31,12 +29,12 @@ LightSource sourceOf(const gltf::Light& light, const PlacedLight& placed) {
     return source;
 }
 
-// Unlit ones show their colour and no more.
-bool shines(const gltf::Material& material) { return !material.unlit && largestComponent(emissionOf(material)) > 0.0f; }
+// A texture of what shines is decoration, such as a display, unless the file gives it a strength.
+bool decorates(const gltf::Material& m) { return m.emissiveTexture && m.emissiveStrength <= 1.0f; }
 
-bool surfaceShines(const Scene& scene, const PosedScene& posed) {
+bool hasLamps(const Scene& scene, const PosedScene& posed) {
     return std::any_of(posed.materialOf.begin(), posed.materialOf.end(),
-                       [&](uint32_t material) { return shines(scene.materials[material]); });
+                       [&](uint32_t material) { return lampBrightness(scene.materials[material]) > 0.0f; });
 }
 
 double areaOf(const Triangle& t) {
@@ -50,9 +48,9 @@ void addEmitters(Lighting& lighting, const Scene& scene, const PosedScene& posed
     std::vector<uint32_t> triangles;
     double all = 0.0;
     for (uint32_t i = 0; i < posed.triangles.size(); ++i) {
-        const gltf::Material& material = scene.materials[posed.materialOf[i]];
-        if (!shines(material)) continue;
-        const double power = areaOf(posed.triangles[i]) * double{brightnessOf(emissionOf(material))};
+        const float brightness = lampBrightness(scene.materials[posed.materialOf[i]]);
+        if (!(brightness > 0.0f)) continue;
+        const double power = areaOf(posed.triangles[i]) * double{brightness};
         if (!(power > 0.0) || !std::isfinite(power)) continue;
         powers.push_back(power);
         triangles.push_back(i);
@@ -76,18 +74,15 @@ LightSource sun() {
 
 }  // namespace
 
-std::vector<Material> materialsOf(const Scene& scene) {
-    std::vector<Material> all;
-    for (const gltf::Material& m : scene.materials)
-        all.push_back({m.baseColour, emissionOf(m), m.metallic, m.roughness, m.unlit ? kMaterialUnlit : 0u});
-    return all;
+float lampBrightness(const gltf::Material& material) {
+    return material.unlit || decorates(material) ? 0.0f : brightnessOf(material.emissive * material.emissiveStrength);
 }
 
 Lighting lightingOf(const Scene& scene, const PosedScene& posed) {
     Lighting lighting;
     for (const PlacedLight& placed : posed.lights)
         lighting.lights.push_back(sourceOf(scene.lights[placed.light], placed));
-    if (lighting.lights.empty() && !surfaceShines(scene, posed)) {
+    if (lighting.lights.empty() && !hasLamps(scene, posed)) {
         lighting.sky = kDaySky;
         lighting.lights.push_back(sun());
     }

@@ -46,7 +46,8 @@ class PathMeasurement {
           built_(built),
           notebook_(notebook),
           prefix_(prefix),
-          plan_(run.options.quick ? kQuick : kFull) {
+          plan_(run.options.quick ? kQuick : kFull),
+          surfaces_(session.surfacesOnDevice(View::path)) {
         const Box& bounds = session.worldBounds();
         const Camera camera = run.options.interior ? interiorCamera(bounds) : chooseCamera(session.posed(), bounds, "");
         request_.camera = imageCamera(camera, plan_.width, plan_.height, infinity());
@@ -77,6 +78,7 @@ class PathMeasurement {
     Notebook& notebook_;
     const std::string prefix_;
     const Plan plan_;
+    const DeviceSurfaces surfaces_;
     PictureRequest request_;
     uint32_t nextSeed_ = kParts;  // those before are the reference's
     bool warm_ = false;
@@ -96,8 +98,8 @@ class PathMeasurement {
                                 std::to_string(samples));
             return true;
         };
-        const Picture picture = run_.device.renderer().render(*built_.onDevice, session_.trianglesOnDevice(),
-                                                              session_.materialsOnDevice(), request_);
+        const Picture picture =
+            run_.device.renderer().render(*built_.onDevice, session_.trianglesOnDevice(), surfaces_, request_);
         if (picture.cappedRays > 0)
             throw Error(grouped(picture.cappedRays) + " rays were given up at the step cap; please report this scene");
         return picture;

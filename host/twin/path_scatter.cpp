@@ -5,14 +5,9 @@ namespace cleave::twin {
 namespace {
 
 Emitter emitterOf(const PictureArrays& a, TriangleChoice choice) {
-    Hit hit{};
-    hit.prim = triangleOf(a.emitters[choice.slot], choice.u);
-    Emitter e;
-    e.world = a.triangles[hit.prim];
-    e.normal = facingNormal(hitTriangle(a, hit), vec3(0.0f, 0.0f, 1.0f));
-    e.emission = a.materials[a.materialOf[hit.prim]].emission;
-    e.brightness = brightnessOf(e.emission);
-    return e;
+    const uint32_t triangle = triangleOf(a.emitters[choice.slot], choice.u);
+    const Hit point{0.0f, triangle, choice.at.x, choice.at.y};
+    return emitterAt(a.surfaces.arrays(), a.surfaces.parts, point, a.triangles[triangle], hitTriangle(a, point));
 }
 
 ChosenLight lightFor(const PictureArrays& a, uint32_t pixel, PassNumbers numbers) {
@@ -31,10 +26,10 @@ PathStep stepOf(const PictureArrays& a, uint32_t i, const vec3& throughput, floa
     const Hit& hit = a.hits[i];
     if (hit.prim == kNone) return escape(a.settings, a.rays[i], throughput);
     const uint32_t pixel = pixelOf(i, a.camera.width, a.camera.height);
-    const vec3 normal = facingNormal(hitTriangle(a, hit), a.rays[i].direction);
-    return scatter(a.settings, {a.albedo.data()}, a.rays[i], hit, a.triangles[hit.prim], normal,
-                   a.materials[a.materialOf[hit.prim]], lightFor(a, pixel, numbers), throughput, density, pixel,
-                   numbers.path, numbers.round);
+    const HitSurface point =
+        hitSurface(a.surfaces.arrays(), a.surfaces.parts, hit, hitTriangle(a, hit), a.rays[i].direction);
+    return scatter(a.settings, {a.albedo.data()}, a.rays[i], hit, a.triangles[hit.prim], point,
+                   lightFor(a, pixel, numbers), throughput, density, pixel, numbers.path, numbers.round);
 }
 
 }  // namespace

@@ -7,14 +7,12 @@
 layout(local_size_x = kGroup) in;
 
 Emitter emitterOf(TriangleChoice choice) {
-    Hit hit;
-    hit.prim = triangleOf(args.emitters.at[choice.slot], choice.u);
-    Emitter e;
-    e.world = args.triangles.at[hit.prim];
-    e.normal = facingNormal(hitTriangle(hit), vec3(0.0, 0.0, 1.0));
-    e.emission = args.materials.at[args.materialOf.at[hit.prim]].emission;
-    e.brightness = brightnessOf(e.emission);
-    return e;
+    Hit point;
+    point.t = 0.0;
+    point.prim = triangleOf(args.emitters.at[choice.slot], choice.u);
+    point.u = choice.at.x;
+    point.v = choice.at.y;
+    return emitterAt(surfaceArrays(), kParts, point, args.triangles.at[point.prim], hitTriangle(point));
 }
 
 ChosenLight lightFor(uint pixel) {
@@ -33,9 +31,9 @@ PathStep stepOf(uint i, Ray ray, vec3 throughput, float density) {
     Hit hit = args.hits.at[i];
     if (hit.prim == kNone) return escape(args.settings, ray, throughput);
     uint pixel = pixelOf(i, args.camera.width, args.camera.height);
-    return scatter(args.settings, args.albedo, ray, hit, args.triangles.at[hit.prim],
-                   facingNormal(hitTriangle(hit), ray.direction), args.materials.at[args.materialOf.at[hit.prim]],
-                   lightFor(pixel), throughput, density, pixel, push.path, push.round);
+    HitSurface point = hitSurface(surfaceArrays(), kParts, hit, hitTriangle(hit), ray.direction);
+    return scatter(args.settings, args.albedo, ray, hit, args.triangles.at[hit.prim], point, lightFor(pixel), throughput,
+                   density, pixel, push.path, push.round);
 }
 
 void main() {

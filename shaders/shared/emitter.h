@@ -3,7 +3,7 @@
 // alone.
 #ifndef CLEAVE_SHARED_EMITTER_H
 #define CLEAVE_SHARED_EMITTER_H
-#include "light.h"
+#include "surface.h"
 
 CLEAVE_BEGIN
 
@@ -29,12 +29,6 @@ CLEAVE_FN uint slotOf(uint word, uint count) {
 }
 CLEAVE_FN uint triangleOf(AliasSlot slot, float u) { return u < slot.chance ? slot.first : slot.second; }
 
-// How bright an emission is, for the choice among triangles: above 0 where it is in any colour.
-CLEAVE_FN float brightnessOf(vec3 emission) {
-    precise float sum = emission.x + emission.y + emission.z;
-    return sum;
-}
-
 // What the triangles that shine have in common.
 struct Emitters {
     uint slots;   // of their alias table; 0: there are none to look for
@@ -57,19 +51,33 @@ CLEAVE_FN vec2 placeOnTriangle(vec2 u) {
     return sum > 1.0f ? folded : u;
 }
 
-// One that was chosen.
+// One that was chosen, and a point on it.
 struct Emitter {
     Triangle world;
+    vec2 at;      // the weights of the second and third vertex
     vec3 normal;  // unit length
     vec3 emission;
     float brightness;  // that its chance is of
 };
 
-// From the point (u, v) of an emitter. The ray towards it ends before it, by more than rounding may move the point
+// At the point of a hit, whose triangle is given in the world and in the scaled space of the tree. A surface that is
+// not opaque shines by the share of rays that find it there.
+CLEAVE_FN Emitter emitterAt(SurfaceArrays s, uint parts, Hit point, Triangle world, Triangle scaled) {
+    Material m = materialOf(s, point.prim);
+    Emitter e;
+    e.world = world;
+    e.at = vec2(point.u, point.v);
+    e.normal = facingNormal(scaled, vec3(0.0f, 0.0f, 1.0f));
+    e.emission = emissionAt(s, parts, m, point) * presenceAt(s, parts, m, point);
+    e.brightness = m.brightness;
+    return e;
+}
+
+// From the point of an emitter. The ray towards it ends before it, by more than rounding may move the point
 // where they meet: the nearer to its plane the ray is, the farther.
-CLEAVE_FN Arrival arrivalFromEmitter(Emitters e, Emitter emitter, vec2 at, vec3 point) {
-    precise vec3 there =
-        emitter.world.a + (emitter.world.b - emitter.world.a) * at.x + (emitter.world.c - emitter.world.a) * at.y;
+CLEAVE_FN Arrival arrivalFromEmitter(Emitters e, Emitter emitter, vec3 point) {
+    precise vec3 there = emitter.world.a + (emitter.world.b - emitter.world.a) * emitter.at.x +
+                         (emitter.world.c - emitter.world.a) * emitter.at.y;
     vec3 way = there - point;
     float size = max(largestComponent(way), kSmallestNormal);
     vec3 scaled = way * (1.0f / size);

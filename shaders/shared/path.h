@@ -1,11 +1,10 @@
 // One step of a path: from the hit of its ray to the light that is found there and the ray that goes on (Kajiya 1986).
 #ifndef CLEAVE_SHARED_PATH_H
 #define CLEAVE_SHARED_PATH_H
-#include "shade.h"
+#include "surface.h"
 
 #include "brdf.h"
 #include "emitter.h"
-#include "material.h"
 #include "random.h"
 
 CLEAVE_BEGIN
@@ -31,6 +30,12 @@ CLEAVE_CONST uint kDecideDirection = 2u;
 CLEAVE_CONST uint kDecideEnd = 3u;
 CLEAVE_CONST uint kDecideTriangle = 4u;
 CLEAVE_FN uint dimensionOf(uint bounce, uint decision) { return bounce * kDecisions + decision; }
+// Beside these, whether the ray that comes to a bounce, or leaves it for a light, finds a triangle that is seen
+// through.
+CLEAVE_FN float alphaChance(uint pixel, uint path, uint bounce, bool toLight, uint triangle) {
+    uint decision = pcg3d(uvec3(triangle, bounce, toLight ? 1u : 0u)).x | 0x80000000u;
+    return sampleNumber(pixel, path, decision);
+}
 
 // Where the sample of a pixel is in it; a single one is at its centre.
 CLEAVE_FN vec2 placeInPixel(uint samples, uint seed, uint pixel, uint path) {
@@ -93,16 +98,20 @@ CLEAVE_FN uint lightOf(PathSettings settings, uint pixel, uint path, uint bounce
     return lightIndex(u, lightChoices(settings));
 }
 
-// What an alias table is asked with: a word for the slot, and a number for the choice in it.
+// What an alias table is asked with, a word for the slot and a number for the choice in it; and a point on the
+// triangle.
 struct TriangleChoice {
     uint slot;
     float u;
+    vec2 at;
 };
 CLEAVE_FN TriangleChoice triangleChoice(PathSettings settings, uint pixel, uint path, uint bounce) {
     uvec3 bits = pcg3d(uvec3(pixel, path ^ settings.seed, dimensionOf(bounce, kDecideTriangle)));
+    vec3 u = sampleNumbers(pixel, path ^ settings.seed, dimensionOf(bounce, kDecideLight));
     TriangleChoice r;
     r.slot = slotOf(bits.x, settings.emitters.slots);
     r.u = unitFloat(bits.y);
+    r.at = placeOnTriangle(vec2(u.y, u.z));
     return r;
 }
 
@@ -117,11 +126,10 @@ struct ChosenLight {
 // with its density over that of both (the balance heuristic of Veach and Guibas 1995). Here of the latter: the ray had
 // the density `density` of its direction, and met the surface at `hit`. What a camera sees is looked for in no other
 // way.
-CLEAVE_FN float shareOfFinding(PathSettings settings, Ray ray, Hit hit, vec3 normal, float brightness, float density,
-                               uint bounce) {
-    if (bounce == 0u || settings.emitters.slots == 0u) return 1.0f;
-    float looked = emitterDensity(settings.emitters, brightness, hit.t, preciseDot(normal, ray.direction)) /
-                   float(lightChoices(settings));
+CLEAVE_FN float shareOfFinding(PathSettings settings, Ray ray, Hit hit, HitSurface point, float density, uint bounce) {
+    if (bounce == 0u || settings.emitters.slots == 0u || !(point.brightness > 0.0f)) return 1.0f;
+    float cosine = preciseDot(point.facing, ray.direction);
+    float looked = emitterDensity(settings.emitters, point.brightness, hit.t, cosine) / float(lightChoices(settings));
     return density / (density + looked);
 }
 
@@ -136,28 +144,28 @@ CLEAVE_FN PathStep escape(PathSettings settings, Ray ray, vec3 throughput) {
     return endOfPath(throughput * skyRadiance(settings.sky, ray.direction));
 }
 
-// Of a path that hits a triangle of the world, whose normal in the scaled space of the tree is given, since there it
-// neither overflows nor vanishes. `light` is that of lightOf(), `density` that of the ray's direction.
-CLEAVE_FN PathStep scatter(PathSettings settings, AlbedoTable table, Ray ray, Hit hit, Triangle world, vec3 normal,
-                           Material material, ChosenLight light, vec3 throughput, float density, uint pixel, uint path,
-                           uint bounce) {
+// Of a path that hits a triangle of the world, at `point`. `light` is that of lightOf(), `density` that of the ray's
+// direction.
+//
+// Directions are in the hemisphere of the shading normal and count if they leave the triangle too: beneath it there is
+// no light, however its corners or a map bend the normal.
+CLEAVE_FN PathStep scatter(PathSettings settings, AlbedoTable table, Ray ray, Hit hit, Triangle world, HitSurface point,
+                           ChosenLight light, vec3 throughput, float density, uint pixel, uint path, uint bounce) {
+    vec3 baseColour = vec3(point.baseColour.x, point.baseColour.y, point.baseColour.z);
     PathStep s = endOfPath(vec3(0.0f));
-    if ((material.flags & kMaterialUnlit) != 0u) {
-        s.found = throughput * vec3(material.baseColour.x, material.baseColour.y, material.baseColour.z);
+    if ((point.flags & kMaterialUnlit) != 0u) {
+        s.found = throughput * baseColour;
         s.unlit = bounce == 0u;
         return s;
     }
-    float brightness = brightnessOf(material.emission);
-    if (brightness > 0.0f)
-        s.found =
-            throughput * material.emission * shareOfFinding(settings, ray, hit, normal, brightness, density, bounce);
+    s.found = throughput * point.emission * shareOfFinding(settings, ray, hit, point, density, bounce);
     if (bounce >= settings.bounces) return s;
 
     Surface surface;
-    surface.baseColour = vec3(material.baseColour.x, material.baseColour.y, material.baseColour.z);
-    surface.metallic = material.metallic;
-    surface.roughness = material.roughness;
-    Basis frame = basisAbout(normal);
+    surface.baseColour = baseColour;
+    surface.metallic = point.metallic;
+    surface.roughness = point.roughness;
+    Basis frame = basisAbout(point.normal);
     vec3 viewer = toLocal(frame, unitDirection(ray.direction) * -1.0f);
     viewer.z = max(viewer.z, kLeastCosine);
     vec3 origin = leavingOrigin(world, hit, ray.direction);
@@ -168,12 +176,13 @@ CLEAVE_FN PathStep scatter(PathSettings settings, AlbedoTable table, Ray ray, Hi
         vec2 across = vec2(u.y, u.z);
         Arrival arrival;
         if (light.isSurface)
-            arrival = arrivalFromEmitter(settings.emitters, light.emitter, placeOnTriangle(across), origin);
+            arrival = arrivalFromEmitter(settings.emitters, light.emitter, origin);
         else
             arrival = arrivalFrom(light.source, origin, across);
         BrdfValue value = evaluateBrdf(surface, table, viewer, toLocal(frame, arrival.towards));
-        s.direct =
-            throughput * value.timesCosine * arrival.irradiance * shareOfLooking(settings, arrival, value.density);
+        if (preciseDot(arrival.towards, point.facing) > 0.0f)
+            s.direct =
+                throughput * value.timesCosine * arrival.irradiance * shareOfLooking(settings, arrival, value.density);
         if (largestComponent(s.direct) > 0.0f) s.shadow = rayFrom(origin, arrival.towards, arrival.distance);
     }
 
@@ -181,7 +190,8 @@ CLEAVE_FN PathStep scatter(PathSettings settings, AlbedoTable table, Ray ray, Hi
         sampleBrdf(surface, table, viewer, sampleNumbers(pixel, seeded, dimensionOf(bounce, kDecideDirection)));
     vec3 carried = throughput * way.weight;
     float most = largestComponent(carried);
-    if (!(way.density > 0.0f) || !(most > 0.0f)) return s;
+    vec3 direction = toWorld(frame, way.direction);
+    if (!(way.density > 0.0f) || !(most > 0.0f) || !(preciseDot(direction, point.facing) > 0.0f)) return s;
     if (bounce >= kFirstRoulette) {
         float survival = min(most, kMostSurvival);
         if (sampleNumber(pixel, seeded, dimensionOf(bounce, kDecideEnd)) >= survival) return s;
@@ -189,7 +199,7 @@ CLEAVE_FN PathStep scatter(PathSettings settings, AlbedoTable table, Ray ray, Hi
     }
     s.throughput = carried;
     s.density = way.density;
-    s.next = rayFrom(origin, toWorld(frame, way.direction), infinity());
+    s.next = rayFrom(origin, direction, infinity());
     return s;
 }
 

@@ -7,8 +7,6 @@ CLEAVE_BEGIN
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 4) buffer PictureStateRef { PictureState at; };
-CLEAVE_ARRAY(Vec3Array, vec3);
-CLEAVE_ARRAY(Vec4Array, vec4);
 #endif
 
 // The arrays of a picture: name, element, its array in GLSL, how many. `n` is PictureCounts in render/picture_layout.h.
@@ -28,14 +26,14 @@ CLEAVE_ARRAY(Vec4Array, vec4);
     ROW(pixels, uint, UintArray, n.pixels)     /* R | G << 8 | B << 16 | A << 24, sRGB, row by row */
 
 #define CLEAVE_PICTURE_FIELD(name, Element, Array, count) CLEAVE_ADDRESS(Array) name;
+#define CLEAVE_SURFACE_FIELD(name, Element, Array, part) CLEAVE_ADDRESS(Array) name;
 
 struct PictureArgs {
     CLEAVE_PICTURE_ARRAYS(CLEAVE_PICTURE_FIELD)
     CLEAVE_ADDRESS(PictureStateRef) state;
     CLEAVE_ADDRESS(Tree) tree;
     CLEAVE_ADDRESS(TriangleArray) triangles;  // in world space, by number
-    CLEAVE_ADDRESS(UintArray) materialOf;     // by number
-    CLEAVE_ADDRESS(MaterialArray) materials;
+    CLEAVE_SURFACE_ARRAYS(CLEAVE_SURFACE_FIELD)
     CLEAVE_ADDRESS(LightArray) lights;  // for paths, and so are the rest
     CLEAVE_ADDRESS(AliasArray) emitters;
     CLEAVE_ADDRESS(AlbedoTable) albedo;
@@ -47,7 +45,7 @@ struct PictureArgs {
     PathSettings settings;
     uint reserved;
 };
-CLEAVE_SIZE(PictureArgs, 352);
+CLEAVE_SIZE(PictureArgs, 400);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) buffer PictureArgsRef { PictureArgs at; };
@@ -61,6 +59,13 @@ struct PicturePush {
     uint path;  // the sample, from 0; of tone: how many there are
 };
 CLEAVE_SIZE(PicturePush, 16);
+
+// Of trace_alpha; `round` is the bounce that the rays come to or, of shadow rays, leave.
+struct SurfaceTracePush {
+    TracePush trace;
+    PicturePush picture;
+};
+CLEAVE_SIZE(SurfaceTracePush, 80);
 
 CLEAVE_END
 #endif

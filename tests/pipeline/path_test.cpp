@@ -60,7 +60,7 @@ std::vector<Triangle> floorSquare() {
 }
 
 Material surface(float albedo, float metallic, float roughness, float emission = 0.0f) {
-    return {{albedo, albedo, albedo, 1.0f}, vec3(emission), metallic, roughness, 0};
+    return plainMaterial({albedo, albedo, albedo, 1.0f}, vec3(emission), metallic, roughness, 0);
 }
 
 ImageCamera cameraAt(glm::dvec3 eye, glm::dvec3 look, glm::dvec3 up, double tangent, uint32_t size) {
@@ -92,12 +92,14 @@ std::vector<vec3> radiance(const std::vector<Triangle>& world, const std::vector
     const TriangleSet set = makeTriangleSet(world);
     const DeviceTriangles triangles(device(), world);
     const auto tree = uploadTree(device(), set, buildExact(set, BuildSettings{}));
-    std::vector<uint32_t> materialOf(world.size(), 0);
-    std::fill(materialOf.begin() + static_cast<ptrdiff_t>(std::min(second, world.size())), materialOf.end(), 1);
-    const DeviceMaterials materials(device(), materialOf, made);
+    SurfaceData data;
+    data.surfaceOf.assign(world.size(), 0);
+    std::fill(data.surfaceOf.begin() + static_cast<ptrdiff_t>(std::min(second, world.size())), data.surfaceOf.end(), 1);
+    data.materials = made;
+    const DeviceSurfaces surfaces(device(), data);
     Tracer tracer(device());
     Renderer renderer(device(), tracer);
-    const Picture picture = renderer.render(*tree, triangles, materials, request);
+    const Picture picture = renderer.render(*tree, triangles, surfaces, request);
     EXPECT_EQ(picture.cappedRays, 0u);
     EXPECT_EQ(picture.samples, request.samples);
     return renderer.readRadiance();
@@ -210,7 +212,10 @@ TEST(Paths, UnlitSurfacesShowTheirColour) {
     const TriangleSet set = makeTriangleSet(world);
     const DeviceTriangles triangles(device(), world);
     const auto tree = uploadTree(device(), set, buildExact(set, BuildSettings{}));
-    const DeviceMaterials materials(device(), std::vector<uint32_t>(2, 0), {&floor, 1});
+    SurfaceData data;
+    data.surfaceOf.assign(world.size(), 0);
+    data.materials = {floor};
+    const DeviceSurfaces surfaces(device(), data);
     Tracer tracer(device());
     Renderer renderer(device(), tracer);
     for (const View view : {View::path, View::shaded})
@@ -218,7 +223,7 @@ TEST(Paths, UnlitSurfacesShowTheirColour) {
             PictureRequest request = requestOf(cameraAt({0, 1, 0}, {0, 0, 0}, {0, 0, 1}, 0.5, 16), 4, 3);
             request.view = view;
             request.exposure = exposure;
-            const Picture picture = renderer.render(*tree, triangles, materials, request);
+            const Picture picture = renderer.render(*tree, triangles, surfaces, request);
             for (const uint32_t pixel : picture.pixels)
                 ASSERT_EQ(pixel, packedColour(encoded(vec3(floor.baseColour)))) << exposure;
             for (const vec3& radiance : renderer.readRadiance())

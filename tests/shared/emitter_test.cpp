@@ -113,14 +113,15 @@ TEST(Emitter, ItsDensityIsPerSolidAngle) {
         const Triangle triangle{vec3(-1, 2, 0) * unit, vec3(2, 2.5, 0.5) * unit, vec3(0, 3, -2) * unit};
         const vec3 point = vec3(0.5f, 0.1f, -0.3f) * unit;
         const vec3 emission(0.5f, 2.0f, 0.25f);
-        const Emitter emitter{triangle, normalOf(triangle), emission, brightnessOf(emission)};
+        Emitter emitter{triangle, {}, normalOf(triangle), emission, brightnessOf(emission)};
         // The only one: its power is all there is.
         const Emitters emitters{1, static_cast<float>(1.0 / std::sqrt(2.75 * areaOf(triangle)))};
         std::mt19937 random(5);
         double sum = 0.0, squares = 0.0;
         constexpr int kDraws = 100000;
         for (int i = 0; i < kDraws; ++i) {
-            const Arrival arrival = arrivalFromEmitter(emitters, emitter, placeOnTriangle(pair(random)), point);
+            emitter.at = placeOnTriangle(pair(random));
+            const Arrival arrival = arrivalFromEmitter(emitters, emitter, point);
             ASSERT_TRUE(arrival.density > 0.0f && isFinite(arrival.density));
             ASSERT_EQ(arrival.irradiance, emission);
             sum += 1.0 / double{arrival.density};
@@ -142,8 +143,8 @@ TEST(Emitter, RaysEndBeforeIt) {
         const vec3 far = vector() * (i % 3 == 0 ? 1000.0f : 0.0f);
         const Triangle triangle{far + vector(), far + vector(), far + vector()};
         const vec3 point = vector() * (i % 5 == 0 ? 100.0f : 1.0f);
-        const Emitter emitter{triangle, normalOf(triangle), vec3(1.0f), 3.0f};
-        const Arrival arrival = arrivalFromEmitter({1, 1.0f}, emitter, placeOnTriangle(pair(random)), point);
+        const Emitter emitter{triangle, placeOnTriangle(pair(random)), normalOf(triangle), vec3(1.0f), 3.0f};
+        const Arrival arrival = arrivalFromEmitter({1, 1.0f}, emitter, point);
         const dvec3 plane =
             glm::normalize(glm::cross(dvec3(triangle.b) - dvec3(triangle.a), dvec3(triangle.c) - dvec3(triangle.a)));
         const double along = glm::dot(plane, dvec3(arrival.towards));
