@@ -60,6 +60,12 @@ class SampleWatch {
     bool timedOut_ = false;
 };
 
+Json passesJson(const Picture& picture) {
+    Json passes = Json::object();
+    for (const PassTime& pass : picture.passes) passes[pass.name] = numberJson(pass.ms);
+    return passes;
+}
+
 bool isExr(const std::filesystem::path& file) { return file.extension() == ".exr"; }
 
 // The primary rays of a path are gone by the end, and rays that look through something have other hits than the
@@ -103,11 +109,12 @@ void runRender(Run& run) {
     // The picture is written even if the check fails, so that it can be inspected.
     writeFile(options.output, isExr(options.output) ? exrOf(picture.width, picture.height, renderer.readRadiance())
                                                     : pngOf(picture.width, picture.height, picture.pixels));
-    Json report{{"scene", sceneJson(session)},
-                {"build", buildJson(built)},
-                {"trace", traceJson(request.traversal, request.test, rays, picture.traceMs, picture.invalidRays,
-                                    picture.cappedRays)},
-                {"render", {{"ms", numberJson(picture.ms)}, {"samples", picture.samples}}}};
+    Json report{
+        {"scene", sceneJson(session)},
+        {"build", buildJson(built)},
+        {"trace",
+         traceJson(request.traversal, request.test, rays, picture.traceMs, picture.invalidRays, picture.cappedRays)},
+        {"render", {{"ms", numberJson(picture.ms)}, {"samples", picture.samples}, {"passesMs", passesJson(picture)}}}};
     report["build"]["setupMs"] = numberJson(run.device.setupMilliseconds());
     CheckResult check;
     if (options.check > 0) {

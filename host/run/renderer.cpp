@@ -1,10 +1,10 @@
 #include "run/renderer.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "base/error.h"
 #include "base/stopwatch.h"
-#include "gpu/commands.h"
 #include "render/albedo_table.h"
 #include "run/ranges.h"
 
@@ -26,7 +26,7 @@ DeviceSurfaces::DeviceSurfaces(Device& device, const SurfaceData& data) {
 
 namespace {
 
-constexpr uint32_t kMostStamps = 32;
+constexpr uint32_t kMostStamps = 512;  // four for each bounce of a path
 
 // A seed as the kernels take it, who combine it with the sample's number by exclusive or. With its bits in reverse, the
 // numbers of two seeds have nothing in common as long as seeds and samples have 32 bits together; as it is, seeds 0 and
@@ -99,8 +99,14 @@ struct Renderer::State {
         commands.run();
         picture.ms += commands.milliseconds();
         const auto known = commands.passTimes();
-        for (const PassTime& pass : known)
+        for (const PassTime& pass : known) {
             if (pass.name == "trace") picture.traceMs += pass.ms;
+            const auto same = std::ranges::find(picture.passes, pass.name, &PassTime::name);
+            if (same == picture.passes.end())
+                picture.passes.push_back(pass);
+            else
+                same->ms += pass.ms;
+        }
         if (known.empty()) picture.traceMs += commands.milliseconds();
     }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "gpu/commands.h"
 #include "render/cmd_render.h"
 #include "run/tracer.h"
 
@@ -50,6 +51,7 @@ struct Picture {
     std::vector<uint32_t> pixels;  // R | G << 8 | B << 16 | A << 24, sRGB, row by row from the top
     double ms = 0.0;               // device time of all passes
     double traceMs = 0.0;          // of the primary rays alone, all samples
+    std::vector<PassTime> passes;  // device time by pass, all samples; empty on a queue without a clock
     uint64_t invalidRays = 0;
     uint64_t cappedRays = 0;
     float scaleLow = 0.0f;  // the ends of the scale of depth, steps and leaves; what lies beyond looks like the end

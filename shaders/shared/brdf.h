@@ -4,11 +4,12 @@
 //
 // The specification's diffuse part, (1 - F) / pi, neither keeps energy nor knows of what microfacets scatter more than
 // once. Here a surface reflects what Kulla and Conty (2017) give it: the specular lobe; a lobe of what bounces between
-// facets, which has the shape loss(v) loss(l); and under both a diffuse lobe of the shape rest(v) rest(l), where rest
-// is what the other two leave. White surfaces reflect all that comes in, dielectric or metal; nothing reflects more;
-// and light that goes the other way is reflected alike. It rests on a table of the specular lobe's directional albedo,
-// and holds as exactly as its lookup: to 0.004 at worst, near the horizon of a nearly smooth surface, and 0.0002 on
-// average.
+// facets, which has the shape loss(v) loss(l); and, of dielectrics, under both a diffuse lobe of the shape under(v)
+// under(l), where under is what the base colour has beyond the other two. So a dielectric reflects its base colour in
+// all, whatever the direction, unless its facets alone reflect more (and 4 per cent more than that where they do so
+// near the horizon); white surfaces reflect all that comes in, dielectric or metal; nothing reflects more; and light
+// that goes the other way is reflected alike. It rests on a table of the specular lobe's directional albedo, and holds
+// as exactly as its lookup: to 0.004 at worst, near the horizon of a nearly smooth surface, and 0.0002 on average.
 #ifndef CLEAVE_SHARED_BRDF_H
 #define CLEAVE_SHARED_BRDF_H
 #include "ggx.h"
@@ -30,27 +31,37 @@ CLEAVE_CONST float kLeastCosine = 1.0e-6f;
 struct Lobes {
     float roughness;
     float alpha;
-    vec3 f0;         // of the specular lobe
-    vec3 scattered;  // colour of what bounces between facets
-    vec3 diffuse;    // colour of the diffuse lobe
+    vec3 f0;          // of the specular lobe
+    vec3 scattered;   // colour of what bounces between facets
+    vec3 baseColour;  // of the diffuse lobe
+    float dielectric;
+    float scatteredUnder;  // colour of what bounces between the facets of a dielectric
     SpecularAlbedo mean;
 };
 
-// Light that bounces between facets is reflected by the mean Fresnel each time, and leaves with the mean albedo.
+CLEAVE_CONST float kDielectricF0 = 0.04f;
+
+// The colour of bounces between facets whose Fresnel reflection is f0: light is reflected by its mean each time, and
+// leaves with the mean albedo.
+CLEAVE_FN float scatteredBy(float f0, SpecularAlbedo mean) {
+    precise float fresnel = (f0 * 20.0f + 1.0f) / 21.0f;
+    precise float scattered = fresnel * fresnel * (1.0f - mean.loss) / (1.0f - fresnel * mean.loss);
+    return scattered;
+}
+
 CLEAVE_FN Lobes lobesOf(Surface s, AlbedoTable table) {
     Lobes r;
     r.roughness = min(max(kLeastRoughness, s.roughness), 1.0f);
     precise float alpha = r.roughness * r.roughness;
     precise float dielectric = 1.0f - s.metallic;
-    precise vec3 f0 = s.baseColour * s.metallic + vec3(0.04f) * dielectric;
-    precise vec3 diffuse = s.baseColour * dielectric;
-    r.mean = meanAlbedo(table, r.roughness);
-    precise vec3 fresnel = (f0 * 20.0f + vec3(1.0f)) / 21.0f;
-    precise vec3 scattered = fresnel * fresnel * (1.0f - r.mean.loss) / (vec3(1.0f) - fresnel * r.mean.loss);
+    precise vec3 f0 = s.baseColour * s.metallic + vec3(kDielectricF0) * dielectric;
     r.alpha = alpha;
     r.f0 = f0;
-    r.scattered = scattered;
-    r.diffuse = diffuse;
+    r.mean = meanAlbedo(table, r.roughness);
+    r.scattered = vec3(scatteredBy(f0.x, r.mean), scatteredBy(f0.y, r.mean), scatteredBy(f0.z, r.mean));
+    r.baseColour = s.baseColour;
+    r.dielectric = dielectric;
+    r.scatteredUnder = scatteredBy(kDielectricF0, r.mean);
     return r;
 }
 
@@ -59,17 +70,24 @@ CLEAVE_FN vec3 specularShare(Lobes l, SpecularAlbedo a) {
     return share;
 }
 
-// What specularShare() and the bounces between facets leave.
-CLEAVE_FN vec3 restOf(Lobes l, SpecularAlbedo a) {
-    precise vec3 rest = (vec3(1.0f) - l.f0) * (1.0f - a.edge) - (l.scattered - l.f0) * a.loss;
-    return max(rest, vec3(0.0f));
+// What a dielectric's base colour has beyond what its facets reflect of light from a direction of this albedo.
+CLEAVE_FN vec3 underOf(Lobes l, SpecularAlbedo a) {
+    precise float facets =
+        kDielectricF0 * (1.0f - a.loss) + (1.0f - kDielectricF0) * a.edge + l.scatteredUnder * a.loss;
+    precise vec3 under = l.baseColour - vec3(facets);
+    return max(under, vec3(0.0f));
 }
 
-// The BRDF of both broad lobes, between directions of these albedos.
+// The BRDF of both broad lobes, between directions of these albedos. Where facets outshine the base colour in most
+// directions, the mean of what is under them is not that of the mean albedo: then it is twice the lesser of both at
+// most.
 CLEAVE_FN vec3 broadBrdf(Lobes l, SpecularAlbedo viewer, SpecularAlbedo light) {
     precise float bounces = viewer.loss * light.loss / l.mean.loss;
-    precise vec3 under = restOf(l, viewer) * restOf(l, light) / max(restOf(l, l.mean), vec3(1.0e-6f));
-    precise vec3 value = (l.scattered * bounces + l.diffuse * under) * kInversePi;
+    vec3 from = underOf(l, viewer);
+    vec3 to = underOf(l, light);
+    precise vec3 under = from * to / max(underOf(l, l.mean), vec3(1.0e-6f));
+    precise vec3 most = min(from, to) * 2.0f;
+    precise vec3 value = (l.scattered * bounces + min(under, most) * l.dielectric) * kInversePi;
     return value;
 }
 
@@ -90,7 +108,7 @@ CLEAVE_FN float sumOf(vec3 v) {
 
 CLEAVE_FN LobeChances lobeChances(Lobes l, SpecularAlbedo viewer) {
     precise vec3 bounces = l.scattered * viewer.loss;
-    precise vec3 broad = bounces + l.diffuse * restOf(l, viewer);
+    precise vec3 broad = bounces + underOf(l, viewer) * l.dielectric;
     precise float facet = sumOf(specularShare(l, viewer)) + 1.0e-3f;
     precise float horizon = sumOf(bounces) * max(0.0f, 1.0f - 2.0f * l.roughness);
     precise float cosine = sumOf(broad) - horizon + 1.0e-3f;

@@ -123,24 +123,18 @@ Mean meanOf(const std::vector<vec3>& pixels) {
     return {sum / n, std::sqrt(std::max(squares / n - sum / n * (sum / n), 0.0) / n)};
 }
 
-// In a closed box that emits 1 and reflects a half of what comes, light is 1 + 1/2 + 1/4 + ... = 2. A base colour of a
-// half reflects a little more, for about 2 per cent of the light never reach it: the surface of a dielectric reflects
-// those. What is reflected in all, 0.5 + 0.5 e, is measured under a uniform sky first.
+// In a closed box that emits 1 and reflects a half of what comes, light is 1 + 1/2 + 1/4 + ... = 2.
 TEST(Paths, AClosedBoxThatEmitsOneShowsTheSumOfItsBounces) {
-    PictureRequest outside = requestOf(cameraAt({0.1, 4, 0.2}, {0, 0, 0}, {0, 0, 1}, 0.1, 48), 64, 1);
-    outside.lighting.sky = {vec3(1.0f), vec3(1.0f)};
     const ImageCamera camera = cameraAt({0.1, 0.2, 0.3}, {1, 0.1, -0.2}, {0, 1, 0}, 0.8, 64);
-    for (const float base : {0.0f, 0.5f, 0.8f}) {
-        const Mean albedo = meanOf(radiance(floorSquare(), surface(base, 0.0f, 1.0f), outside));
-        const Mean light = meanOf(radiance(box(), surface(base, 0.0f, 1.0f, 1.0f), requestOf(camera, 32, 64)));
-        std::printf("seed %u: base %.1f: albedo %.5f, light %.5f, standard error %.5f\n", kSeed, double{base},
-                    albedo.value, light.value, light.error);
-        EXPECT_GE(albedo.value, double{base});
-        EXPECT_LT(albedo.value, double{base} + 0.025);
-        // The albedo is that of light that goes straight up; of all directions it differs by some 0.01.
-        EXPECT_NEAR(1.0 - 1.0 / light.value, albedo.value, 0.015);
-        EXPECT_GT(light.value, 1.0 / (1.0 - double{base}) - 4.0 * light.error);
-    }
+    for (const float base : {0.2f, 0.5f, 0.8f})
+        for (const float roughness : {1.0f, 0.4f}) {
+            if (base < 0.5f && roughness < 1.0f) continue;  // facets alone reflect more than that near the horizon
+            const PictureRequest request = requestOf(camera, 32, 64);
+            const Mean light = meanOf(radiance(box(), surface(base, 0.0f, roughness, 1.0f), request));
+            std::printf("seed %u: base %.1f, roughness %.1f: light %.5f, standard error %.5f\n", kSeed, double{base},
+                        double{roughness}, light.value, light.error);
+            EXPECT_NEAR(light.value, 1.0 / (1.0 - double{base}), 4.0 * light.error);
+        }
 }
 
 // White, under a sky of 1 everywhere: what comes back is what came in, whatever the angle and the roughness.
