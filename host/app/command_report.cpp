@@ -46,9 +46,11 @@ class ReportFolder {
         const fs::path pictures = folder_ / "pictures";
         makeFolder(pictures);
         for (const NamedPlot& plot : plotsOf(scene)) writeFile(pictures / (stem + "-" + plot.name + ".svg"), plot.svg);
-        for (const ReportPicture& picture : scene.pictures)
-            writeFile(pictures / (stem + "-" + picture.kind + "-" + picture.caption + ".png"),
-                      std::span<const std::byte>(bytesOfBase64(picture.png)));
+        for (const ReportPicture& picture : scene.pictures) {
+            std::string name = stem + "-" + picture.kind + "-" + picture.caption + ".png";
+            std::replace(name.begin(), name.end(), ' ', '-');
+            writeFile(pictures / name, std::span<const std::byte>(bytesOfBase64(picture.png)));
+        }
     }
 
   private:
@@ -138,7 +140,8 @@ std::vector<std::pair<std::string, std::string>> leftOutOf(const Options& option
         {"the triangle test plain, in the plots of rays", "its answers are not the same, so its times are not either"}};
     if (options.quick) {
         all.emplace_back("other settings of gpu, shevtsov and the medians", "left out by --quick");
-        all.emplace_back("three of four rays of each set, and runs beyond " + std::to_string(options.runs),
+        all.emplace_back("three of four rays of each set, larger pictures with more samples, and runs beyond " +
+                             std::to_string(options.runs),
                          "left out by --quick");
     } else {
         all.emplace_back("combinations of settings", "each is changed alone, the others at their defaults");

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/alias_table.h"
+
 namespace cleave {
 namespace {
 
@@ -28,14 +30,37 @@ LightSource sourceOf(const gltf::Light& light, const PlacedLight& placed) {
 }
 
 // A texture of what shines is decoration, such as a display, unless the file gives it a strength.
-bool isLamp(const gltf::Material& m) {
-    const bool decorates = m.emissiveTexture && m.emissiveStrength <= 1.0f;
-    return !decorates && largestComponent(m.emissive * m.emissiveStrength) > 0.0f;
-}
+bool decorates(const gltf::Material& m) { return m.emissiveTexture && m.emissiveStrength <= 1.0f; }
 
 bool hasLamps(const Scene& scene, const PosedScene& posed) {
     return std::any_of(posed.materialOf.begin(), posed.materialOf.end(),
-                       [&](uint32_t material) { return isLamp(scene.materials[material]); });
+                       [&](uint32_t material) { return lampBrightness(scene.materials[material]) > 0.0f; });
+}
+
+double areaOf(const Triangle& t) {
+    const dvec3 a(t.a);
+    return 0.5 * glm::length(glm::cross(dvec3(t.b) - a, dvec3(t.c) - a));
+}
+
+// Power is brightness times area. Triangles without an area, or that are not finite, are in no tree: no ray meets them.
+void addEmitters(Lighting& lighting, const Scene& scene, const PosedScene& posed) {
+    std::vector<double> powers;
+    std::vector<uint32_t> triangles;
+    double all = 0.0;
+    for (uint32_t i = 0; i < posed.triangles.size(); ++i) {
+        const float brightness = lampBrightness(scene.materials[posed.materialOf[i]]);
+        if (!(brightness > 0.0f)) continue;
+        const double power = areaOf(posed.triangles[i]) * double{brightness};
+        if (!(power > 0.0) || !std::isfinite(power)) continue;
+        powers.push_back(power);
+        triangles.push_back(i);
+        all += power;
+    }
+    const auto scale = static_cast<float>(1.0 / std::sqrt(all));
+    // Beyond what floats hold, surfaces are found by chance alone, as light is that nobody looks for.
+    if (triangles.empty() || !(scale >= kSmallestNormal) || !std::isfinite(scale)) return;
+    lighting.emitterTable = aliasTable(powers, triangles);
+    lighting.emitters = {static_cast<uint32_t>(lighting.emitterTable.size()), scale};
 }
 
 LightSource sun() {
@@ -49,6 +74,10 @@ LightSource sun() {
 
 }  // namespace
 
+float lampBrightness(const gltf::Material& material) {
+    return material.unlit || decorates(material) ? 0.0f : brightnessOf(material.emissive * material.emissiveStrength);
+}
+
 Lighting lightingOf(const Scene& scene, const PosedScene& posed) {
     Lighting lighting;
     for (const PlacedLight& placed : posed.lights)
@@ -57,6 +86,7 @@ Lighting lightingOf(const Scene& scene, const PosedScene& posed) {
         lighting.sky = kDaySky;
         lighting.lights.push_back(sun());
     }
+    addEmitters(lighting, scene, posed);
     return lighting;
 }
 

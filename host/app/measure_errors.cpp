@@ -6,6 +6,7 @@
 
 #include "app/bench_peers.h"
 #include "app/bench_rays.h"
+#include "app/measure_paths.h"
 #include "app/session.h"
 #include "app/subjects.h"
 #include "app/tree_portrait.h"
@@ -102,6 +103,7 @@ class Measurement {
         addFitted();
         for (size_t i = subjects_.size(); i-- > 0;) secondTurn(i);
         addWays();
+        addPaths();
         if (run_.options.peers) addPeers();
         run_.progress.within("");
         return std::move(errors_);
@@ -126,7 +128,7 @@ class Measurement {
 
     void begin(const std::string& what) {
         const size_t ways = kTraversals.size() * kTriangleTests.size();
-        const size_t steps = 2 * (subjects_.size() + ways) + (run_.options.peers ? 1 : 0);
+        const size_t steps = 2 * (subjects_.size() + ways) + (run_.options.peers ? 2 : 1);
         run_.progress.within(oneLine(errors_.name) + ", step " + std::to_string(++step_) + " of " +
                              std::to_string(steps) + ", " + what);
     }
@@ -305,9 +307,11 @@ class Measurement {
         }
     }
 
+    // Which subject's tree ways and pictures go through.
+    size_t throughTree() const { return subjects_[kOfGpu].traced ? kOfGpu : kOfExact; }
+
     // All traversals and tests, through the tree of `gpu`, in two turns as well.
     void addWays() {
-        const size_t through = subjects_[kOfGpu].traced ? kOfGpu : kOfExact;
         const uint64_t judged = run_.options.check > 0 ? run_.options.check
                                 : run_.options.quick   ? kQuickJudged
                                                        : kJudged;
@@ -319,7 +323,7 @@ class Measurement {
             begin(way.traversal + ", " + way.test);
             for (size_t k = 0; k < sets_.size(); ++k)
                 way.sets[k] = once(std::string(kRaySets[k]) + " rays by " + way.traversal + ", " + way.test, [&] {
-                    return measured(through, k, {setOf(k).query, traversal, test, false}, judged);
+                    return measured(throughTree(), k, {setOf(k).query, traversal, test, false}, judged);
                 });
             errors_.ways.push_back(way);
         }
@@ -332,8 +336,20 @@ class Measurement {
                     way.sets[k].runs,
                     once("second turn of " + std::string(kRaySets[k]) + " rays by " + way.traversal + ", " + way.test,
                          [&] {
-                             return timed(through, k, {setOf(k).query, ways[n].first, ways[n].second, false}, false);
+                             return timed(throughTree(), k, {setOf(k).query, ways[n].first, ways[n].second, false},
+                                          false);
                          }));
+        }
+    }
+
+    void addPaths() {
+        begin("pictures of light");
+        try {
+            MeasuredPaths paths = measurePaths(run_, session_, treeOf(throughTree()), notebook_, prefix_);
+            errors_.paths = std::move(paths.errors);
+            for (ReportPicture& picture : paths.shown) errors_.pictures.push_back(std::move(picture));
+        } catch (const Error& error) {
+            errors_.leftOut.emplace_back("pictures of light", error.what());
         }
     }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "app/lighting.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "formats/decode_image.h"
@@ -131,6 +132,7 @@ class Surfaces {
         made.normalMap = map(shown_.normal, m.normalTexture, kNumbers);
         made.occlusionMap = map(shown_.occlusion, m.occlusionTexture, kNumbers);
         made.emissionMap = map(shown_.emission && m.emissive != glm::vec3(0.0f), m.emissiveTexture, kColour);
+        made.brightness = lampBrightness(m);
         made.flags = (m.unlit ? kMaterialUnlit : 0u) | (m.doubleSided ? 0u : kMaterialSingleSided) | alphaFlags(m);
         data_.hasAlpha = data_.hasAlpha || (used && !isOpaque(made));
         data_.singleSided = data_.singleSided || (used && !m.doubleSided);

@@ -126,17 +126,4 @@ Json errorRowsJson(const std::vector<ErrorRow>& rows) {
     return json;
 }
 
-Json errorsJson(const std::vector<SceneErrors>& scenes) {
-    std::vector<ErrorRow> tree, rays, hits;
-    const auto add = [](std::vector<ErrorRow>& all, const std::vector<ErrorRow>& more) {
-        all.insert(all.end(), more.begin(), more.end());
-    };
-    for (const SceneErrors& scene : scenes) {
-        add(tree, treeRows(scene));
-        add(rays, rayRows(scene));
-        add(hits, hitRows(scene));
-    }
-    return {{"tree", errorRowsJson(tree)}, {"rays", errorRowsJson(rays)}, {"hits", errorRowsJson(hits)}};
-}
-
 }  // namespace cleave

@@ -39,8 +39,6 @@ RayCounts meanCounts(const TracedErrors& traced);
 
 double percentAbove(double value, double base);
 
-// {"tree": rows, "rays": rows, "hits": rows} of all scenes.
-Json errorsJson(const std::vector<SceneErrors>& scenes);
 Json errorRowsJson(const std::vector<ErrorRow>& rows);
 
 }  // namespace cleave

@@ -1,6 +1,7 @@
 #include "figures/report_json.h"
 
 #include "figures/error_rows.h"
+#include "figures/picture_rows.h"
 
 namespace cleave {
 namespace {
@@ -45,6 +46,20 @@ Json fittedJson(const SceneErrors& scene, const NamedFit& fit) {
             {"trees", fit.costs.samples}};
 }
 
+Json errorsJson(const std::vector<SceneErrors>& scenes) {
+    Json tree = Json::array(), rays = Json::array(), hits = Json::array(), picture = Json::array();
+    const auto add = [](Json& all, const Json& more) {
+        for (const Json& row : more) all.push_back(row);
+    };
+    for (const SceneErrors& scene : scenes) {
+        add(tree, errorRowsJson(treeRows(scene)));
+        add(rays, errorRowsJson(rayRows(scene)));
+        add(hits, errorRowsJson(hitRows(scene)));
+        add(picture, pictureRowsJson(scene));
+    }
+    return {{"tree", tree}, {"rays", rays}, {"hits", hits}, {"picture", picture}};
+}
+
 }  // namespace
 
 Json reportJson(const ReportPage& page) {
@@ -58,7 +73,7 @@ Json reportJson(const ReportPage& page) {
             {"runs", page.runs},          {"traversal", page.settings.traversal},
             {"interrupted", page.wentOn}, {"errors", errorsJson(page.scenes)},
             {"predictions", predictions}, {"fitted", fitted},
-            {"leftOut", leftOut}};
+            {"leftOut", leftOut},         {"picture", pictureJson(page.scenes)}};
 }
 
 }  // namespace cleave

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "figures/picture_rows.h"
+#include "figures/report_text.h"
 #include "plot/curves.h"
 #include "plot/scatter.h"
+#include "plot/trend.h"
 
 namespace cleave {
 namespace {
@@ -72,6 +75,29 @@ std::string hitPlot(const SceneErrors& scene) {
                   "wrong answers per million", builderOf, labelOf);
 }
 
+std::string pathPlot(const SceneErrors& scene) {
+    TrendPlot plot;
+    plot.title = scene.name + ": error of pictures against rendering time";
+    plot.xTitle = "rendering time, ms";
+    plot.yTitle = "error, % of the mean brightness";
+    plot.series = {"samples of a pixel"};
+    const std::vector<ErrorRow> rows = pictureRows(scene);
+    for (size_t i = 0; i < rows.size(); ++i)
+        if (rows[i].errorLow > 0.0)
+            plot.points.push_back({0, rows[i].time.median, rows[i].error, rows[i].time.low, rows[i].time.high,
+                                   rows[i].errorLow, rows[i].errorHigh,
+                                   std::to_string(scene.paths.pictures[i].samples)});
+    const LogPoints points = errorsByTime(scene);
+    if (const std::optional<double> slope = logSlope({&points, 1}); slope && !plot.points.empty()) {
+        const LogPoint centre = centreOf(points);
+        plot.lines = {{"fitted, slope " + signedText(*slope, 3), *slope, centre.x, centre.y},
+                      {"slope " + signedText(-0.5, 1), -0.5, centre.x, centre.y}};
+        if (scene.paths.referenceError > 0.0)
+            plot.lines.push_back({"the reference\u2019s own", 0.0, centre.x, scene.paths.referenceError});
+    }
+    return plot.points.empty() ? "" : trendSvg(plot);
+}
+
 std::string leafPlot(const SceneErrors& scene) {
     CurvePlot plot = sharesPlot(scene, &TreeErrors::leafHistogram);
     plot.title = scene.name + ": leaves by their number of triangles";
@@ -89,11 +115,13 @@ std::string depthPlot(const SceneErrors& scene) {
 }
 
 std::vector<NamedPlot> plotsOf(const SceneErrors& scene) {
-    return {{"tree", treePlot(scene)},
-            {"rays", rayPlot(scene)},
-            {"hits", hitPlot(scene)},
-            {"leaves", leafPlot(scene)},
-            {"depths", depthPlot(scene)}};
+    std::vector<NamedPlot> all{{"tree", treePlot(scene)},
+                               {"rays", rayPlot(scene)},
+                               {"hits", hitPlot(scene)},
+                               {"leaves", leafPlot(scene)},
+                               {"depths", depthPlot(scene)}};
+    if (const std::string paths = pathPlot(scene); !paths.empty()) all.push_back({"paths", paths});
+    return all;
 }
 
 }  // namespace cleave

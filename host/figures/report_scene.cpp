@@ -7,31 +7,13 @@
 #include "base/text.h"
 #include "figures/error_rows.h"
 #include "figures/html.h"
+#include "figures/report_paths.h"
 #include "figures/report_plots.h"
+#include "figures/report_text.h"
 #include "plot/escape.h"
 
 namespace cleave {
 namespace {
-
-std::string milliseconds(double ms) { return fixed(ms, ms < 10.0 ? 3 : ms < 1000.0 ? 1 : 0); }
-
-std::string rangeOf(const Spread& s) {
-    return s.runs == 0 ? "-" : milliseconds(s.low) + "\u2013" + milliseconds(s.high);
-}
-
-std::string medianText(const Spread& s) { return s.runs == 0 ? "-" : milliseconds(s.median); }
-
-Spread spreadOrNone(const std::vector<double>& runs) { return runs.empty() ? Spread{} : spreadOf(runs); }
-
-std::string signedText(double value, int digits) {
-    return value < 0.0 ? "\u2212" + fixed(-value, digits) : fixed(value, digits);
-}
-
-std::string errorText(double error) { return signedText(error, std::abs(error) < 10.0 ? 2 : 1); }
-
-std::string frontMark(const ErrorRow& row) { return row.pareto ? "\u25CF" : ""; }
-
-std::string headline(const std::string& html) { return "<h3>" + html + "</h3>\n"; }
 
 std::string treeSection(const SceneErrors& scene) {
     std::string html =
@@ -257,18 +239,9 @@ std::string shapeSection(const SceneErrors& scene) {
            leafPlot(scene) + depthPlot(scene);
 }
 
-std::string picturesOf(const SceneErrors& scene, const std::string& kind, const std::string& what) {
-    std::string html = paragraph(what) + "<div class=\"pictures\">\n";
-    for (const ReportPicture& picture : scene.pictures)
-        if (picture.kind == kind)
-            html += "<figure><img alt=\"" + escaped(kind + ", " + picture.caption) + "\" src=\"data:image/png;base64," +
-                    picture.png + "\"><figcaption>" + escaped(picture.caption) + "</figcaption></figure>\n";
-    return html + "</div>\n";
-}
-
 std::string pictureSection(const SceneErrors& scene) {
     if (scene.pictures.empty()) return "";
-    return headline("Pictures") +
+    return headline("Pictures of trees") +
            picturesOf(scene, "steps",
                       "Nodes and leaves that the ray of each pixel visits. One scale for all builders, up "
                       "to what all but one in 200 stay below in the tree of <code>exact</code>.") +
@@ -316,7 +289,8 @@ std::string sceneHtml(const SceneErrors& scene, const ReportSettings& settings) 
     std::string html = "<h2>" + escaped(scene.name) + "</h2>\n";
     if (!scene.failure.empty()) return html + "<p class=\"failure\">No figures: " + escaped(scene.failure) + "</p>\n";
     html += paragraph(grouped(scene.triangles) + " triangles.") + treeSection(scene) + raySection(scene, settings) +
-            hitSection(scene) + predictionSection(scene, settings) + shapeSection(scene) + pictureSection(scene);
+            hitSection(scene) + pathSection(scene) + predictionSection(scene, settings) + shapeSection(scene) +
+            pictureSection(scene);
     if (settings.withPeers) html += peerSection(scene);
     return html;
 }

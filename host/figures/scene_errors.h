@@ -74,9 +74,26 @@ struct NamedFit {
 
 // A picture beside the page.
 struct ReportPicture {
-    std::string kind;     // what it shows: steps, leaves, cut
-    std::string caption;  // the builder
+    std::string kind;     // what it shows: steps, leaves, cut, paths
+    std::string caption;  // the builder; of paths, the samples
     std::string png;      // the file's bytes, in base64
+};
+
+// Pictures of paths with so many samples of a pixel, each with a seed of its own.
+struct SampledPictures {
+    uint32_t samples = 0;
+    std::vector<double> errors;        // of each: relativeRmse() against the reference, per cent
+    std::vector<double> similarities;  // of each: structuralSimilarity() with it
+    std::vector<double> runs;          // ms of each, all passes on the device
+};
+
+// How pictures of paths come near a converged one.
+struct PathErrors {
+    std::string builder;  // of the tree
+    uint32_t width = 0, height = 0;
+    uint32_t referenceSamples = 0, referenceParts = 0;
+    double referenceError = 0.0;            // MeanPicture::error, per cent
+    std::vector<SampledPictures> pictures;  // ascending in samples; empty: none were made
 };
 
 struct SceneErrors {
@@ -86,6 +103,7 @@ struct SceneErrors {
     std::vector<TreeErrors> trees;  // the first is that of `exact`, which the others are measured against
     std::vector<TracedErrors> traced;
     std::vector<WayErrors> ways;  // through the tree of `gpu`
+    PathErrors paths;
     std::vector<PeerFigures> peers;
     std::vector<ReportPicture> pictures;
     std::vector<NamedFit> fits;                                // to the times of the first turn

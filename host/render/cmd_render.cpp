@@ -110,7 +110,7 @@ class PictureRecording {
         for (;;) {
             perRay(PictureKernels::path_scatter, bounce_);
             if (bounce_ == info_.settings.bounces) return;
-            if (info_.settings.lightCount > 0) {
+            if (lightChoices(info_.settings) > 0) {
                 shadowHits(false);
                 perRay(PictureKernels::path_gather);
             }
@@ -185,6 +185,7 @@ PictureArgs pictureArgs(const PictureInfo& info, const PictureLayout& at, const 
     CLEAVE_SURFACE_ARRAYS(CLEAVE_BIND)
 #undef CLEAVE_BIND
     a.lights = info.lights;
+    a.emitters = info.emitters;
     a.albedo = info.albedo;
     a.camera = info.camera;
     a.view = static_cast<uint32_t>(info.view);

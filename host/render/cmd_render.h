@@ -44,8 +44,9 @@ struct PictureInfo {
     VkDeviceAddress tree = 0;
     VkDeviceAddress triangles = 0;  // 36 bytes each: the vertices in world space, by number
     SurfaceAddresses surfaces;
-    VkDeviceAddress lights = 0;  // LightSource of shared/light.h, settings.lightCount of them, for paths
-    VkDeviceAddress albedo = 0;  // of render/albedo_table.h, for paths
+    VkDeviceAddress lights = 0;    // LightSource of shared/light.h, settings.lightCount of them, for paths
+    VkDeviceAddress emitters = 0;  // AliasSlot of shared/emitter.h, settings.emitters.slots of them, for paths
+    VkDeviceAddress albedo = 0;    // of render/albedo_table.h, for paths
     ImageCamera camera{};
     View view = View::shaded;
     uint32_t samples = 1;  // of a pixel; a single one is at its centre

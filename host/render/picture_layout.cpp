@@ -6,7 +6,7 @@ PictureCounts pictureCounts(uint32_t width, uint32_t height, uint32_t view) {
     PictureCounts n;
     n.pixels = uint64_t(width) * height;
     n.counted = view == kViewSteps || view == kViewLeaves ? n.pixels : 0;
-    n.shadowed = view == kViewShaded || view == kViewPath ? n.pixels : 0;
+    n.shadowed = isOfLight(view) ? n.pixels : 0;
     n.walked = view == kViewPath ? n.pixels : 0;
     return n;
 }

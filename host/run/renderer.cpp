@@ -28,6 +28,15 @@ namespace {
 
 constexpr uint32_t kMostStamps = 512;  // four for each bounce of a path
 
+// A seed as the kernels take it, who combine it with the sample's number by exclusive or. With its bits in reverse, the
+// numbers of two seeds have nothing in common as long as seeds and samples have 32 bits together; as it is, seeds 0 and
+// 1 would give the same samples in another order.
+uint32_t mixedSeed(uint32_t seed) {
+    uint32_t reversed = 0;
+    for (int bit = 0; bit < 32; ++bit) reversed |= (seed >> bit & 1u) << (31 - bit);
+    return reversed;
+}
+
 // Loads the functions that the kernels go on using.
 Functions functionsOf(const Device& device) {
     Functions functions;
@@ -57,7 +66,8 @@ struct Renderer::State {
     PictureLayout at;
     ImageCamera camera{};
     uint32_t samples = 0;
-    std::optional<Buffer> albedo, lights;  // of paths
+    bool ofLight = false;
+    std::optional<Buffer> albedo, lights, emitters;  // of paths
 
     size_t pixels() const { return size_t{camera.width} * camera.height; }
 
@@ -70,6 +80,7 @@ struct Renderer::State {
 
     void reserve(const PictureInfo& info) {
         camera = info.camera;
+        ofLight = isOfLight(static_cast<uint32_t>(info.view));
         at = pictureLayout(pictureCounts(info.camera.width, info.camera.height, static_cast<uint32_t>(info.view)),
                            info.largestRange);
         if (!at.ranges.fits())
@@ -101,15 +112,22 @@ struct Renderer::State {
 
     PictureState state() const { return read<PictureState>(at.state, 1)[0]; }
 
+    template <class T>
+    std::optional<Buffer> uploadedIfAny(const std::vector<T>& items) {
+        if (items.empty()) return std::nullopt;
+        return uploaded(device, std::span<const T>(items));
+    }
+
     void lightPaths(PictureInfo& info, const PictureRequest& request) {
         if (!albedo) albedo = uploaded(device, std::span<const SpecularAlbedo>(albedoTable()));
-        lights.reset();
-        if (!request.lighting.lights.empty())
-            lights = uploaded(device, std::span<const LightSource>(request.lighting.lights));
+        lights = uploadedIfAny(request.lighting.lights);
+        emitters = uploadedIfAny(request.lighting.emitterTable);
         info.albedo = albedo->address();
         info.lights = lights ? lights->address() : 0;
+        info.emitters = emitters ? emitters->address() : 0;
         info.settings.sky = request.lighting.sky;
         info.settings.lightCount = static_cast<uint32_t>(request.lighting.lights.size());
+        info.settings.emitters = request.lighting.emitters;
         info.settings.bounces = request.bounces;
     }
 
@@ -150,7 +168,7 @@ Picture Renderer::render(const DeviceTree& tree, const DeviceTriangles& triangle
     info.view = request.view;
     info.samples = request.samples;
     info.exposure = request.exposure;
-    info.settings.seed = request.seed;
+    info.settings.seed = mixedSeed(request.seed);
     if (request.view == View::path) s.lightPaths(info, request);
     info.traversal = request.traversal;
     info.test = request.test;
@@ -158,7 +176,7 @@ Picture Renderer::render(const DeviceTree& tree, const DeviceTriangles& triangle
     info.stepLimit = s.limits.stepLimit;
     info.onPass = [](void* user, const char* pass) { static_cast<Commands*>(user)->stamp(pass); };
     info.user = &s.commands;
-    const bool shadows = request.view == View::shaded || info.settings.lightCount > 0;
+    const bool shadows = request.view == View::shaded || lightChoices(info.settings) > 0;
     PictureTracing tracing;
     if (!info.looksThrough(PictureRays::primary) ||
         (info.view == View::path && !info.looksThrough(PictureRays::bounce)))
@@ -194,9 +212,12 @@ std::vector<Hit> Renderer::readHits() const { return state_->read<Hit>(state_->a
 std::vector<vec3> Renderer::readRadiance() const {
     const ImageCamera& camera = state_->camera;
     const std::vector<vec3> sums = state_->read<vec3>(state_->at.radiance, state_->pixels());
+    const std::vector<vec4> unlit = state_->read<vec4>(state_->at.unlit, state_->ofLight ? sums.size() : 0);
     std::vector<vec3> means(sums.size());
-    for (uint32_t i = 0; i < sums.size(); i++)
-        means[pixelOf(i, camera.width, camera.height)] = sums[i] / static_cast<float>(state_->samples);
+    for (uint32_t i = 0; i < sums.size(); i++) {
+        const vec3 sum = unlit.empty() ? sums[i] : sums[i] + vec3(unlit[i]);
+        means[pixelOf(i, camera.width, camera.height)] = sum / static_cast<float>(state_->samples);
+    }
     return means;
 }
 

@@ -26,6 +26,8 @@ class DeviceSurfaces {
 struct Lighting {
     Sky sky{};
     std::vector<LightSource> lights;
+    Emitters emitters{};
+    std::vector<AliasSlot> emitterTable;
 };
 
 struct PictureRequest {

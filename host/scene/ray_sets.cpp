@@ -17,14 +17,6 @@ constexpr uint32_t kShadowSeed = 0x089ABCDEu;
 dvec3 extentOf(const Box& bounds) { return isEmpty(bounds) ? dvec3(0.0) : dvec3(bounds.hi) - dvec3(bounds.lo); }
 dvec3 centreOf(const Box& bounds) { return isEmpty(bounds) ? dvec3(0.0) : 0.5 * (dvec3(bounds.lo) + dvec3(bounds.hi)); }
 
-Camera interiorCamera(const Box& bounds) {
-    const dvec3 c = centreOf(bounds);
-    const dvec3 e = extentOf(bounds);
-    const dvec3 lo = c - 0.5 * e;
-    return lookAt({c.x + 0.25 * e.x, lo.y + 0.30 * e.y, c.z + 0.02 * e.z}, {lo.x, lo.y + 0.35 * e.y, c.z},
-                  75.0 * std::numbers::pi / 180.0);
-}
-
 // 24 bits of a hash, in [0, 1).
 double unitInterval(uint32_t hash) { return (hash >> 8) / 16777216.0; }
 
@@ -83,6 +75,14 @@ uint32_t pcg(uint32_t x) {
 }
 
 double rnd(uint32_t seed, uint32_t j, uint32_t k) { return unitInterval(pcg(pcg(4u * j + k) ^ seed)); }
+
+Camera interiorCamera(const Box& bounds) {
+    const dvec3 c = centreOf(bounds);
+    const dvec3 e = extentOf(bounds);
+    const dvec3 lo = c - 0.5 * e;
+    return lookAt({c.x + 0.25 * e.x, lo.y + 0.30 * e.y, c.z + 0.02 * e.z}, {lo.x, lo.y + 0.35 * e.y, c.z},
+                  75.0 * std::numbers::pi / 180.0);
+}
 
 std::vector<Ray> primaryRays(const Box& bounds, bool interior, uint32_t size) {
     const ImageCamera image = imageCamera(interior ? interiorCamera(bounds) : defaultCamera(bounds), size, size, kFar);

@@ -12,6 +12,8 @@
 
 namespace cleave {
 
+struct Camera;
+
 constexpr uint32_t kRaySetSize = 1024;
 
 // Hashes by a permuted congruential generator (Jarzynski and Olano 2020): one step of pcg's LCG, one output function.
@@ -19,8 +21,11 @@ uint32_t pcg(uint32_t x);
 // Returns number k of ray j, uniform in [0, 1), with 24 bits.
 double rnd(uint32_t seed, uint32_t j, uint32_t k);
 
+// Stands inside of a room and looks at its far wall.
+Camera interiorCamera(const Box& bounds);
+
 // Returns the default camera's rays, in tiles of 8 x 8 pixels, t in [0, 1e30]; `bounds` of the finite triangles, in the
-// world. `interior` stands inside of a room and looks at its far wall.
+// world. `interior`: interiorCamera's.
 std::vector<Ray> primaryRays(const Box& bounds, bool interior = false, uint32_t size = kRaySetSize);
 
 // A start of secondary rays: a primary hit, whose point is moved off the surface, to the ray's side.

@@ -20,6 +20,8 @@ struct PictureArrays {
     std::vector<Ray> shadowRays;
     std::vector<Hit> shadowHits;
     std::vector<vec3> throughput, direct, radiance;
+    std::vector<float> density;
+    std::vector<vec4> unlit;
     std::vector<uint32_t> pixels;
     PictureState state{};
     Box bounds{};      // of the tree
@@ -27,6 +29,7 @@ struct PictureArrays {
     std::vector<Triangle> triangles;
     SurfaceData surfaces;
     std::vector<LightSource> lights;
+    std::vector<AliasSlot> emitters;
     std::vector<SpecularAlbedo> albedo;
     ImageCamera camera{};
     uint32_t view = kViewShaded;

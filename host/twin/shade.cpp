@@ -4,6 +4,10 @@ namespace cleave::twin {
 
 namespace {
 
+bool showsUnlit(const PictureArrays& a, const Hit& hit) {
+    return hit.prim != kNone && (materialOf(a.surfaces.arrays(), hit.prim).flags & kMaterialUnlit) != 0;
+}
+
 glm::vec3 colourOf(const PictureArrays& a, size_t i) {
     const Hit& hit = a.hits[i];
     const glm::vec3 black(0.0f);
@@ -30,8 +34,16 @@ glm::vec3 colourOf(const PictureArrays& a, size_t i) {
 
 void shade(PictureArrays& a, PassNumbers numbers) {
     if (a.state.primary.unfinishedRays + a.state.shadow.unfinishedRays > 0) return;
-    for (size_t i = 0; i < a.rays.size(); i++)
-        a.radiance[i] = (numbers.path == 0 ? vec3(0.0f) : a.radiance[i]) + colourOf(a, i);
+    if (numbers.path == 0) {
+        a.radiance.assign(a.radiance.size(), vec3(0.0f));
+        a.unlit.assign(a.unlit.size(), vec4(0.0f));
+    }
+    for (size_t i = 0; i < a.rays.size(); i++) {
+        if (isOfLight(a.view) && showsUnlit(a, a.hits[i]))
+            a.unlit[i] += vec4(colourOf(a, i), 1.0f);
+        else
+            a.radiance[i] += colourOf(a, i);
+    }
 }
 
 }  // namespace cleave::twin

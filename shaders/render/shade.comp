@@ -5,6 +5,10 @@
 
 layout(local_size_x = kGroup) in;
 
+bool showsUnlit(Hit hit) {
+    return hit.prim != kNone && (materialOf(surfaceArrays(), hit.prim).flags & kMaterialUnlit) != 0u;
+}
+
 vec3 colourOf(uint i) {
     Ray ray = args.rays.at[i];
     Hit hit = args.hits.at[i];
@@ -27,6 +31,11 @@ void main() {
     uint i = rayIndex();
     // Where rays go on in a further dispatch, this pass is run again after it.
     if (i >= args.count || state.primary.unfinishedRays + state.shadow.unfinishedRays > 0u) return;
+    vec3 colour = colourOf(i);
+    bool unlit = isOfLight(args.view) && showsUnlit(args.hits.at[i]);
     vec3 before = push.path == 0u ? vec3(0.0) : args.radiance.at[i];
-    args.radiance.at[i] = before + colourOf(i);
+    args.radiance.at[i] = unlit ? before : before + colour;
+    if (!isOfLight(args.view)) return;
+    vec4 others = push.path == 0u ? vec4(0.0) : args.unlit.at[i];
+    args.unlit.at[i] = unlit ? others + vec4(colour, 1.0) : others;
 }

@@ -8,7 +8,8 @@ layout(local_size_x = kGroup) in;
 void main() {
     uint i = rayIndex();
     if (i >= args.count) return;
-    vec3 mean = args.radiance.at[i] / float(push.path);
+    vec4 unlit = vec4(0.0);
+    if (isOfLight(args.view)) unlit = args.unlit.at[i];
     args.pixels.at[pixelOf(i, args.camera.width, args.camera.height)] =
-        packedColour(shownColour(args.view, mean, args.exposure));
+        packedColour(shownColour(args.view, args.radiance.at[i], unlit, push.path, args.exposure));
 }

@@ -47,7 +47,8 @@ CLEAVE_ARRAY(LightArray, LightSource);
 struct Arrival {
     vec3 towards;  // unit length
     float distance;
-    vec3 irradiance;
+    vec3 irradiance;  // of a surface: its radiance
+    float density;    // of a surface's point, per solid angle; 0: rays do not meet the light by chance
 };
 
 // Fades to nothing at the range (KHR_lights_punctual, "range property").
@@ -66,6 +67,7 @@ CLEAVE_FN float spotShare(LightSource light, float cosine) {
 
 CLEAVE_FN Arrival arrivalFrom(LightSource light, vec3 point, vec2 u) {
     Arrival r;
+    r.density = 0.0f;
     if (light.kind == kLightDirectional) {
         vec3 towards = light.direction * -1.0f;
         r.towards = light.capHeight > 0.0f ? toWorld(basisAbout(towards), coneDirection(light.capHeight, u)) : towards;

@@ -27,10 +27,17 @@ struct Material {
     uint normalMap;             // a unit vector in tangent space, from [-1, 1]^3
     uint occlusionMap;          // in R
     uint emissionMap;
+    float brightness;  // by which surfaces are looked for as lights; 0: they are found by chance alone
 };
-CLEAVE_SIZE(Material, 72);
+CLEAVE_SIZE(Material, 76);
 
 CLEAVE_TABLE(MaterialArray, Material);
+
+// How bright an emission is, for the choice among what shines: above 0 where it is in any colour.
+CLEAVE_FN float brightnessOf(vec3 emission) {
+    precise float sum = emission.x + emission.y + emission.z;
+    return sum;
+}
 
 // Without maps.
 CLEAVE_FN Material plainMaterial(vec4 baseColour, vec3 emission, float metallic, float roughness, uint flags) {
@@ -48,6 +55,7 @@ CLEAVE_FN Material plainMaterial(vec4 baseColour, vec3 emission, float metallic,
     m.normalMap = kNone;
     m.occlusionMap = kNone;
     m.emissionMap = kNone;
+    m.brightness = brightnessOf(emission);
     return m;
 }
 

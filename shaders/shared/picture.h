@@ -14,6 +14,9 @@ CLEAVE_CONST uint kViewSteps = 3u;   // nodes and leaves visited
 CLEAVE_CONST uint kViewLeaves = 4u;  // triangles in the leaf of the hit
 CLEAVE_CONST uint kViewPath = 5u;    // light, as it goes from surface to surface
 
+// Those of light, in which surfaces may be unlit.
+CLEAVE_FN bool isOfLight(uint view) { return view == kViewShaded || view == kViewPath; }
+
 // A camera and its image plane. Square pixels; image point (0, 0) is the upper left corner.
 struct ImageCamera {
     dvec3 eye;

@@ -19,8 +19,10 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) buffer PictureState
     ROW(shadowHits, Hit, HitArray, n.shadowed)                                                   \
     ROW(shadowTrails, Trail, TrailArray, n.shadowed)                                             \
     ROW(throughput, vec3, Vec3Array, n.walked) /* of the path that the ray goes on with */       \
+    ROW(density, float, FloatArray, n.walked)  /* of its direction */                            \
     ROW(direct, vec3, Vec3Array, n.walked)     /* what a path finds if its shadow ray is free */ \
     ROW(radiance, vec3, Vec3Array, n.pixels)   /* the sum of all samples, or of colours */       \
+    ROW(unlit, vec4, Vec4Array, n.shadowed)    /* that of samples of unlit surfaces; how many */ \
     ROW(pixels, uint, UintArray, n.pixels)     /* R | G << 8 | B << 16 | A << 24, sRGB, row by row */
 
 #define CLEAVE_PICTURE_FIELD(name, Element, Array, count) CLEAVE_ADDRESS(Array) name;
@@ -32,8 +34,9 @@ struct PictureArgs {
     CLEAVE_ADDRESS(Tree) tree;
     CLEAVE_ADDRESS(TriangleArray) triangles;  // in world space, by number
     CLEAVE_SURFACE_ARRAYS(CLEAVE_SURFACE_FIELD)
-    CLEAVE_ADDRESS(LightArray) lights;   // for paths
-    CLEAVE_ADDRESS(AlbedoTable) albedo;  // for paths
+    CLEAVE_ADDRESS(LightArray) lights;  // for paths, and so are the rest
+    CLEAVE_ADDRESS(AliasArray) emitters;
+    CLEAVE_ADDRESS(AlbedoTable) albedo;
     ImageCamera camera;
     uint view;
     uint count;    // of pixels
@@ -42,7 +45,7 @@ struct PictureArgs {
     PathSettings settings;
     uint reserved;
 };
-CLEAVE_SIZE(PictureArgs, 368);
+CLEAVE_SIZE(PictureArgs, 400);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) buffer PictureArgsRef { PictureArgs at; };

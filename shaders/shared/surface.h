@@ -42,6 +42,7 @@ struct HitSurface {
     vec3 normal;      // of shading, in the hemisphere of `facing`
     vec4 baseColour;  // linear
     vec3 emission;
+    float brightness;  // of the material
     float metallic;
     float roughness;
     float occlusion;  // share of the light from all around that reaches the point: 1 where nothing is near
@@ -91,6 +92,20 @@ CLEAVE_FN bool isThere(SurfaceArrays s, uint parts, Material m, Hit hit, float c
     if (isOpaque(m)) return true;
     float alpha = baseColourAt(s, parts, m, hit).w;
     return (m.flags & kMaterialMask) != 0u ? alpha >= m.alphaCutoff : chance < alpha;
+}
+
+// And how often it does.
+CLEAVE_FN float presenceAt(SurfaceArrays s, uint parts, Material m, Hit hit) {
+    if (isOpaque(m)) return 1.0f;
+    float alpha = baseColourAt(s, parts, m, hit).w;
+    if ((m.flags & kMaterialMask) != 0u) return alpha >= m.alphaCutoff ? 1.0f : 0.0f;
+    return min(max(alpha, 0.0f), 1.0f);
+}
+
+CLEAVE_FN vec3 emissionAt(SurfaceArrays s, uint parts, Material m, Hit hit) {
+    if ((parts & kPartTextures) == 0u || m.emissionMap == kNone) return m.emission;
+    vec4 texel = mapped(s, m.emissionMap, hit);
+    return m.emission * vec3(texel.x, texel.y, texel.z);
 }
 
 // v of length 1; `otherwise` where it has none.
@@ -159,7 +174,8 @@ CLEAVE_FN HitSurface hitSurface(SurfaceArrays s, uint parts, Hit hit, Triangle t
     p.facing = facingNormal(t, direction);
     p.normal = p.facing;
     p.baseColour = baseColourAt(s, parts, m, hit);
-    p.emission = m.emission;
+    p.emission = emissionAt(s, parts, m, hit);
+    p.brightness = m.brightness;
     p.metallic = m.metallic;
     p.roughness = m.roughness;
     p.occlusion = 1.0f;
@@ -179,10 +195,6 @@ CLEAVE_FN HitSurface hitSurface(SurfaceArrays s, uint parts, Hit hit, Triangle t
         if (m.occlusionMap != kNone) {
             float found = mapped(s, m.occlusionMap, hit).x;
             p.occlusion = 1.0f + m.occlusionStrength * (found - 1.0f);
-        }
-        if (m.emissionMap != kNone) {
-            vec4 texel = mapped(s, m.emissionMap, hit);
-            p.emission = p.emission * vec3(texel.x, texel.y, texel.z);
         }
     }
     return p;

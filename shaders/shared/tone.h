@@ -22,12 +22,17 @@ CLEAVE_FN vec3 neutralTone(vec3 colour) {
     return mixed(c, vec3(newPeak), g);
 }
 
-// What a view shows of the mean of its samples: radiance is exposed and encoded, that of paths after the tone curve;
-// other views are colours already.
-CLEAVE_FN vec3 shownColour(uint view, vec3 mean, float exposure) {
-    if (view == kViewPath) return encoded(neutralTone(mean * exposure));
-    if (view == kViewShaded) return encoded(mean * exposure);
-    return mean;
+// What a view shows of the sum of a pixel's samples. Light is exposed, that of paths follows the tone curve; both are
+// encoded. Samples that show an unlit surface are colours that were chosen for a screen: neither concerns them, and
+// they have their share of the pixel, `unlit`, their sum and their number. Other views are colours already.
+CLEAVE_FN vec3 shownColour(uint view, vec3 sum, vec4 unlit, uint samples, float exposure) {
+    float all = float(samples);
+    if (view != kViewPath && view != kViewShaded) return sum / all;
+    float lit = all - unlit.w;
+    vec3 light = sum / max(lit, 1.0f) * exposure;
+    if (view == kViewPath) light = neutralTone(light);
+    if (unlit.w > 0.0f) light = (min(light, vec3(1.0f)) * lit + vec3(unlit.x, unlit.y, unlit.z)) / all;
+    return encoded(light);
 }
 
 CLEAVE_END

@@ -418,6 +418,19 @@ void expectErrors(const Json& report) {
         }
         expectFronts(errors[kind]);
     }
+    ASSERT_EQ(errors["picture"].size(), 5u) << "2 to 32 samples";
+    for (const Json& row : errors["picture"]) {
+        EXPECT_GT(row["error"], 0.0) << "the triangle's edges";
+        EXPECT_LT(row["error"], 100.0);
+        EXPECT_LE(row["similarity"], 1.0);
+        EXPECT_GE(row["runs"], 2);
+        EXPECT_GT(row["ms"], 0.0);
+    }
+    expectFronts(errors["picture"]);
+    EXPECT_LT(report["picture"]["slopeBySamples"], -0.4);
+    EXPECT_GT(report["picture"]["slopeBySamples"], -0.6);
+    EXPECT_LT(report["picture"]["slope"], 0.0);
+    EXPECT_GT(report["picture"]["scenes"][0]["referenceError"], 0.0);
     EXPECT_EQ(errors["tree"][0]["builder"], "exact");
     EXPECT_EQ(errors["tree"][0]["error"], 0.0);
     EXPECT_EQ(errors["rays"][0]["error"], 0.0);
@@ -458,15 +471,18 @@ TEST_F(Program, ReportGoesOnAfterAnInterruption) {
     EXPECT_TRUE(page.ends_with("</html>\n"));
     EXPECT_EQ(page.find("xxx"), std::string::npos) << "nothing of what was there remains";
     EXPECT_EQ(page.find("<script"), std::string::npos);
-    for (const std::string& part :
-         {std::string("scene.gltf"), "cleave report " + scene_, std::string("--quick"), std::string("taken before one"),
-          std::string("Peers in scene.gltf"), std::string("stack-walk-c++")})
+    for (const std::string& part : {std::string("scene.gltf"), "cleave report " + scene_, std::string("--quick"),
+                                    std::string("taken before one"), std::string("Pictures of paths in scene.gltf"),
+                                    std::string("Peers in scene.gltf"), std::string("stack-walk-c++")})
         EXPECT_NE(page.find(part), std::string::npos) << part;
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "r"), {}), 3) << "the pictures, and nothing else";
     const std::string plot = contentOf(folder_ / "r/pictures/scene-tree.svg");
     EXPECT_TRUE(plot.starts_with("<svg xmlns=")) << plot.substr(0, 80);
     EXPECT_NE(page.find(plot), std::string::npos) << "the page has the same drawing";
-    EXPECT_TRUE(contentOf(folder_ / "r/pictures/scene-steps-gpu.png").starts_with("\x89PNG"));
+    for (const char* picture : {"steps-gpu", "paths-2-samples", "paths-reference"})
+        EXPECT_TRUE(
+            contentOf(folder_ / "r/pictures" / (std::string("scene-") + picture + ".png")).starts_with("\x89PNG"))
+            << picture;
 }
 
 TEST_F(Program, ReportGoesOnAfterASceneThatFails) {

@@ -20,6 +20,7 @@ struct LayoutRecord {
     Material material;
     TextureMap textureMap;
     LightSource light;
+    AliasSlot aliasSlot;
     SpecularAlbedo albedo;
     PrimRef ref;
     BuildNode buildNode;
@@ -79,15 +80,18 @@ struct LayoutRecord {
     ADDRESS(pictureArgs.triangles, TriangleArray) ADDRESS(pictureArgs.surfaceOf, NumberArray)                    \
     ADDRESS(pictureArgs.materials, MaterialArray) ADDRESS(pictureArgs.normals, Vec3Array)                        \
     ADDRESS(pictureArgs.texels, TexelArray) ADDRESS(pictureArgs.lights, LightArray)                              \
-    ADDRESS(pictureArgs.albedo, AlbedoTable) DOUBLE(pictureArgs.camera.pixel) UINT(pictureArgs.view)             \
+    ADDRESS(pictureArgs.emitters, AliasArray) ADDRESS(pictureArgs.albedo, AlbedoTable)                           \
+    DOUBLE(pictureArgs.camera.pixel) UINT(pictureArgs.view)                                                      \
     UINT(pictureArgs.count) UINT(pictureArgs.samples) FLOAT(pictureArgs.exposure)                                \
     FLOAT(pictureArgs.settings.sky.horizon.x) FLOAT(pictureArgs.settings.sky.zenith.z)                           \
-    UINT(pictureArgs.settings.lightCount) UINT(pictureArgs.settings.bounces) UINT(pictureArgs.settings.seed)     \
+    UINT(pictureArgs.settings.lightCount) UINT(pictureArgs.settings.emitters.slots)                              \
+    FLOAT(pictureArgs.settings.emitters.scale) UINT(pictureArgs.settings.bounces) UINT(pictureArgs.settings.seed)     \
     FLOAT(material.baseColour.x) FLOAT(material.emission.z) FLOAT(material.metallic) FLOAT(material.roughness)   \
-    FLOAT(material.alphaCutoff) UINT(material.flags) UINT(material.emissionMap)                                  \
+    FLOAT(material.alphaCutoff) UINT(material.flags) UINT(material.emissionMap) FLOAT(material.brightness)      \
     UINT(textureMap.first) UINT(textureMap.flags) FLOAT(textureMap.turn.w) FLOAT(textureMap.offset.y)            \
     FLOAT(light.position.x) UINT(light.kind) FLOAT(light.direction.y) FLOAT(light.capHeight)                     \
     FLOAT(light.intensity.z) FLOAT(light.range) FLOAT(light.cosInner) FLOAT(light.cosOuter)                      \
+    UINT(aliasSlot.first) UINT(aliasSlot.second) FLOAT(aliasSlot.chance)                                         \
     FLOAT(albedo.edge) FLOAT(albedo.loss)                                                                        \
     ADDRESS(buildPush.args, BuildArgsRef) UINT(buildPush.depth) UINT(buildPush.scans)                            \
     ADDRESS(tracePush.tree, Tree) ADDRESS(tracePush.rays, RayArray) ADDRESS(tracePush.hits, HitArray)            \

@@ -29,8 +29,10 @@ TEST(PathScatter, EqualsTwinAtEverySizeAndBounce) {
             size_t other = 0;
             for (size_t i = 0; i < device.rays.size(); i++) {
                 const bool same = isNear(device.radiance[i], twin.radiance[i]) &&
-                                  isNear(device.direct[i], twin.direct[i]) &&
+                                  isNear(vec3(device.unlit[i]), vec3(twin.unlit[i])) &&
+                                  device.unlit[i].w == twin.unlit[i].w && isNear(device.direct[i], twin.direct[i]) &&
                                   isNear(device.throughput[i], twin.throughput[i]) &&
+                                  isNear(vec3(device.density[i]), vec3(twin.density[i])) &&
                                   isNear(device.rays[i].origin, twin.rays[i].origin) &&
                                   isNear(device.rays[i].direction, twin.rays[i].direction) &&
                                   isNear(device.shadowRays[i].direction, twin.shadowRays[i].direction) &&

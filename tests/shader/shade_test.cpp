@@ -14,11 +14,17 @@ TEST(Shade, EqualsTwinAtEverySizeInEveryView) {
             pair.arrays.state.lowBits = ~orderedBits(0.5f);
             pair.arrays.state.highBits = orderedBits(40.0f);
             for (const uint32_t sample : {0u, 2u}) {
-                const std::vector<vec3> device = pair.onDevice(PictureKernels::shade, {0, sample}).radiance;
+                const PictureArrays device = pair.onDevice(PictureKernels::shade, {0, sample});
                 pair.onTwin(PictureKernels::shade, {0, sample});
-                for (size_t i = 0; i < device.size(); i++)  // square roots and quotients may round differently
+                ASSERT_EQ(device.unlit.size(), pair.arrays.unlit.size());
+                for (size_t i = 0; i < device.unlit.size(); i++) {
                     for (int k = 0; k < 3; k++)
-                        ASSERT_NEAR(device[i][k], pair.arrays.radiance[i][k], 1e-5f) << "ray " << i;
+                        ASSERT_NEAR(device.unlit[i][k], pair.arrays.unlit[i][k], 1e-5f) << "ray " << i;
+                    ASSERT_EQ(device.unlit[i].w, pair.arrays.unlit[i].w) << "ray " << i;
+                }
+                for (size_t i = 0; i < device.rays.size(); i++)  // square roots and quotients may round differently
+                    for (int k = 0; k < 3; k++)
+                        ASSERT_NEAR(device.radiance[i][k], pair.arrays.radiance[i][k], 1e-5f) << "ray " << i;
             }
         }
     }

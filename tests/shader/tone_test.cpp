@@ -40,9 +40,24 @@ TEST(Tone, HandWorkedCurve) {
 }
 
 TEST(Tone, OnlyLightIsExposed) {
-    EXPECT_EQ(shownColour(kViewNormals, vec3(0.25f), 4.0f), vec3(0.25f));
-    EXPECT_EQ(shownColour(kViewShaded, vec3(0.25f), 2.0f), encoded(vec3(0.5f)));
-    EXPECT_EQ(shownColour(kViewPath, vec3(0.25f), 2.0f), encoded(neutralTone(vec3(0.5f))));
+    const vec4 none(0.0f);
+    EXPECT_EQ(shownColour(kViewNormals, vec3(0.5f), none, 2, 4.0f), vec3(0.25f));
+    EXPECT_EQ(shownColour(kViewShaded, vec3(0.5f), none, 2, 2.0f), encoded(vec3(0.5f)));
+    EXPECT_EQ(shownColour(kViewPath, vec3(0.5f), none, 2, 2.0f), encoded(neutralTone(vec3(0.5f))));
+}
+
+// A pixel of four samples: all of them unlit, one of them, and one beside light that is far too bright.
+TEST(Tone, UnlitColoursPassThrough) {
+    const vec3 colour(0.25f, 0.5f, 1.0f);
+    for (const uint view : {kViewShaded, kViewPath})
+        for (const float exposure : {0.125f, 1.0f, 8.0f})
+            EXPECT_EQ(shownColour(view, vec3(0.0f), vec4(colour * 4.0f, 4.0f), 4, exposure), encoded(colour));
+    const vec3 one = shownColour(kViewPath, vec3(0.9f), vec4(colour, 1.0f), 4, 2.0f);
+    const vec3 bright = shownColour(kViewShaded, vec3(300.0f), vec4(colour, 1.0f), 4, 2.0f);
+    for (int k = 0; k < 3; k++) {
+        EXPECT_NEAR(one[k], encoded(0.75f * neutralTone(vec3(0.6f))[k] + 0.25f * colour[k]), 1e-6f);
+        EXPECT_NEAR(bright[k], encoded(0.75f + 0.25f * colour[k]), 1e-6f);
+    }
 }
 
 }  // namespace cleave::test

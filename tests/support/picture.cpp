@@ -102,7 +102,10 @@ PicturePair::PicturePair(uint32_t width, uint32_t height, View view, uint32_t se
         {{}, kLightDirectional, {0.0f, -0.6f, 0.8f}, 0.01f, {1.0f, 1.0f, 0.5f}, 0.0f, 0, 0}};
     static const std::vector<SpecularAlbedo> kAlbedo = albedoTable();
     arrays.albedo = kAlbedo;
-    arrays.settings = {{{0.9f, 0.8f, 0.7f}, {0.2f, 0.3f, 0.9f}}, 3, 4, seed};
+    for (const uint32_t prim : set.included)
+        if (prim % 3 == 1) arrays.emitters.push_back({prim, set.included[below(7)], unit(random)});
+    arrays.settings = {
+        {{0.9f, 0.8f, 0.7f}, {0.2f, 0.3f, 0.9f}}, 3, {static_cast<uint32_t>(arrays.emitters.size()), 0.02f}, 4, seed};
     arrays.camera = cameraOf(width, height, seed);
     arrays.view = static_cast<uint32_t>(view);
     const bool steps = countsSteps(view), walks = view == View::path, shadows = walks || view == View::shaded;
@@ -120,8 +123,10 @@ PicturePair::PicturePair(uint32_t width, uint32_t height, View view, uint32_t se
     if (shadows) arrays.shadowRays.resize(pixels);
     for (uint32_t i = 0; i < pixels; i++) {
         arrays.radiance.emplace_back(unit(random), unit(random), unit(random));
+        if (shadows) arrays.unlit.emplace_back(unit(random), unit(random), unit(random), below(3));
         if (!walks) continue;
         arrays.throughput.emplace_back(unit(random), unit(random), unit(random));
+        arrays.density.push_back(2.0f * unit(random));
         arrays.direct.emplace_back(unit(random), unit(random), unit(random));
         if (i % 7 == 6) arrays.rays[i] = noRay();
     }
@@ -130,6 +135,7 @@ PicturePair::PicturePair(uint32_t width, uint32_t height, View view, uint32_t se
     triangles_ = uploaded(device(), std::span<const Triangle>(arrays.triangles));
     surfaces_ = std::make_unique<DeviceSurfaces>(device(), arrays.surfaces);
     lights_ = uploaded(device(), std::span<const LightSource>(arrays.lights));
+    emitters_ = uploaded(device(), std::span<const AliasSlot>(arrays.emitters));
     albedo_ = uploaded(device(), std::span<const SpecularAlbedo>(arrays.albedo));
     TreeData tree{};
     tree.bounds = set.bounds;
@@ -147,6 +153,7 @@ PictureArrays PicturePair::onDevice(PictureKernels::Pass pass, PassNumbers numbe
     info.triangles = triangles_.address();
     info.surfaces = surfaces_->addresses();
     info.lights = lights_.address();
+    info.emitters = emitters_.address();
     info.albedo = albedo_.address();
     info.samples = arrays.samples;
     info.exposure = arrays.exposure;
@@ -171,8 +178,10 @@ PictureArrays PicturePair::onDevice(PictureKernels::Pass pass, PassNumbers numbe
         both(result.shadowRays, at_.shadowRays, up);
         both(result.shadowHits, at_.shadowHits, up);
         both(result.throughput, at_.throughput, up);
+        both(result.density, at_.density, up);
         both(result.direct, at_.direct, up);
         both(result.radiance, at_.radiance, up);
+        both(result.unlit, at_.unlit, up);
         both(result.pixels, at_.pixels, up);
     };
     all(true);
