@@ -32,6 +32,11 @@ std::string sceneTable(const Session& session) {
         rows.push_back({"bounds from", pointText(bounds.lo)});
         rows.push_back({"bounds to", pointText(bounds.hi)});
     }
+    uint64_t bytes = 0;
+    for (const gltf::Buffer& buffer : session.scene().buffers) bytes += buffer.bytes.size();
+    rows.push_back({"loading", fixed(session.loadMilliseconds(), 1) + " ms, posing " +
+                                   fixed(session.poseMilliseconds(), 1) + " ms; buffers " + bytesText(bytes) +
+                                   ", the process so far " + bytesText(processPeakBytes())});
     rows.push_back({"materials", grouped(session.scene().materials.size())});
     rows.push_back({"cameras", grouped(scene.cameras.size())});
     for (size_t i = 0; i < scene.cameras.size(); ++i)

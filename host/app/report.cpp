@@ -14,6 +14,8 @@ Json sceneJson(const Session& session) {
     return {{"name", session.scene().name},
             {"triangles", session.posed().triangles.size()},
             {"leftOut", leftOut},
+            {"loadMs", numberJson(session.loadMilliseconds())},
+            {"poseMs", numberJson(session.poseMilliseconds())},
             {"materials", session.scene().materials.size()},
             {"cameras", session.posed().cameras.size()}};
 }

@@ -30,8 +30,12 @@ void buildOnHost(BuiltTree& built, const TriangleSet& set, const BuildSettings& 
 
 Session::Session(Run& run, const fs::path& file, Detail detail) : run_(run) {
     run_.progress.phase("loading " + oneLine(file.filename().string()));
+    const Stopwatch loading;
     scene_ = loadGltf(file);
+    loadMs_ = loading.milliseconds();
+    const Stopwatch posing;
     posed_ = pose(scene_, {}, kMostTriangles, detail);
+    poseMs_ = posing.milliseconds();
     for (const auto& warnings : {scene_.warnings, posed_.warnings})
         for (const std::string& warning : warnings) run_.warn(warning);
     set_ = makeTriangleSet(posed_.triangles);

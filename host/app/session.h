@@ -24,6 +24,9 @@ class Session {
     const Scene& scene() const { return scene_; }
     const PosedScene& posed() const { return posed_; }
     const TriangleSet& set() const { return set_; }
+    // What it took to come by them: to read and check the file, and to pose what it shows.
+    double loadMilliseconds() const { return loadMs_; }
+    double poseMilliseconds() const { return poseMs_; }
     // Of the triangles with finite vertices, in world space; empty without any.
     const Box& worldBounds() const { return bounds_; }
 
@@ -58,6 +61,8 @@ class Session {
     PosedScene posed_;
     TriangleSet set_;
     Box bounds_ = emptyBox();
+    double loadMs_ = 0.0;
+    double poseMs_ = 0.0;
     std::unique_ptr<DeviceTriangles> onDevice_;
     std::unique_ptr<Reference> reference_;
 };

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/one_line.h"
 
 namespace cleave {
 
@@ -18,8 +19,8 @@ std::vector<uint32_t> decodeImage(std::span<const unsigned char> bytes, uint32_t
     const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> decoded(
         stbi_load_from_memory(bytes.data(), static_cast<int>(bytes.size()), &columns, &rows, &channels, kChannels),
         &stbi_image_free);
-    if (!decoded)
-        throw Error(std::string("its pixels cannot be decoded (") + stbi_failure_reason() + "); save it anew");
+    // The reason may quote the file.
+    if (!decoded) throw Error("its pixels cannot be decoded (" + oneLine(stbi_failure_reason()) + "); save it anew");
     if (static_cast<uint32_t>(columns) != width || static_cast<uint32_t>(rows) != height)
         throw Error("its pixels are not as many as its head says; save it anew");
     std::vector<uint32_t> pixels(size_t{width} * height);

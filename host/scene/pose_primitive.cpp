@@ -23,12 +23,23 @@ void PosablePrimitive::appendTo(PosedScene& posed, const glm::dmat4& toWorld) co
         posed.mirrored.resize(posed.triangles.size() + count_,
                               !vertices_.hasJoints() && glm::determinant(glm::dmat3(toWorld)) < 0.0);
     }
-    for (size_t i = 0; i < count_; ++i) {
-        const std::array<size_t, 3> corner = cornersOf(mode_, i);
-        auto vertex = [&](size_t k) { return vertices_.at(indices_[corner[k]], toWorld); };
-        posed.triangles.push_back({vertex(0), vertex(1), vertex(2)});
-        posed.materialOf.push_back(material_);
+    const auto appendTriangles = [&](const auto& vertex) {
+        for (size_t i = 0; i < count_; ++i) {
+            const std::array<size_t, 3> corner = cornersOf(mode_, i);
+            posed.triangles.push_back(
+                {vertex(indices_[corner[0]]), vertex(indices_[corner[1]]), vertex(indices_[corner[2]])});
+        }
+    };
+    // Vertices that triangles share are placed once, unless there are more of them than corners: they are not in memory
+    // then, and a file may announce any number.
+    if (vertices_.count() <= 3 * count_ && !vertices_.hasJoints()) {
+        std::vector<vec3> placed(vertices_.count());
+        for (size_t i = 0; i < placed.size(); ++i) placed[i] = vertices_.at(i, toWorld);
+        appendTriangles([&](size_t i) { return placed[i]; });
+    } else {
+        appendTriangles([&](size_t i) { return vertices_.at(i, toWorld); });
     }
+    posed.materialOf.insert(posed.materialOf.end(), count_, material_);
 }
 
 // Triangles before corner `first` that have nothing are given what they are without.

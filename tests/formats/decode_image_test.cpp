@@ -52,5 +52,16 @@ TEST(DecodeImage, RefusesWhatIsDamagedOrOfAnotherSize) {
     EXPECT_THROW(decodeImage({}, 1, 1), Error);
 }
 
+TEST(DecodeImage, QuotesNothingThatATerminalWouldObey) {
+    Bytes bytes = png(pattern(7, 5), 7);
+    for (size_t i = 0; i < 4; ++i) bytes[8 + 25 + 4 + i] = "A\x1b\x07\n"[i];  // the name of the chunk after the head
+    try {
+        decodeImage(bytes, 7, 5);
+        ADD_FAILURE() << "it was decoded";
+    } catch (const Error& error) {
+        for (const char* c = error.what(); *c != '\0'; ++c) EXPECT_GE(static_cast<unsigned char>(*c), 0x20);
+    }
+}
+
 }  // namespace
 }  // namespace cleave::test
