@@ -77,5 +77,16 @@ TEST(Lighting, ScalesAreNoMatter) {
     }
 }
 
+// A brightness that is infinite would be the whole of every chance.
+TEST(Lighting, BrightnessIsFinite) {
+    gltf::Material blinding = emitting(1.0f, 3e38f);
+    blinding.emissive = vec3(1.0f);
+    EXPECT_EQ(lampBrightness(blinding), kLargestFloat);
+    World world;
+    world.add(blinding);
+    EXPECT_EQ(world.lighting().emitters.slots, 1u);
+    EXPECT_GT(world.lighting().emitters.scale, 0.0f);
+}
+
 }  // namespace
 }  // namespace cleave::test
