@@ -122,6 +122,7 @@ class PathMeasurement {
     }
 
     // Round by round, there and back, so that what changes as time goes by disturbs all numbers of samples about alike.
+    // Times are those of the rounds that all of them take part in.
     void addPictures(std::vector<SampledPictures>& all, const std::vector<vec3>& reference,
                      const std::vector<uint32_t>& referencePixels) {
         for (uint32_t samples = plan_.fewest; samples <= plan_.most; samples *= 2) all.push_back({samples, {}, {}, {}});
@@ -134,7 +135,7 @@ class PathMeasurement {
                          [&] { return picture(pictures.samples, seed, reference, referencePixels); });
                 pictures.errors.push_back(error);
                 pictures.similarities.push_back(similarity);
-                pictures.runs.push_back(ms);
+                if (round < run_.options.runs) pictures.runs.push_back(ms);
             }
             std::reverse(all.begin(), all.end());
         }
