@@ -77,21 +77,21 @@ def smoothed(shape):
 
 
 def box_mapped(shape, size):
-    """A flat shape with texture coordinates: each triangle as seen along the axis that it faces, a texture every
-    `size`. Faces stop sharing points where they see the texture along different axes."""
-    points, texcoords, triangles, numbers = [], [], [], {}
+    """With texture coordinates: each triangle as seen along the axis that it faces, a texture every `size`. Points are
+    doubled where triangles see the texture along different axes."""
+    numbers, texcoords, triangles = {}, [], []
     for t in shape.triangles:
         n = [abs(x) for x in face_normal(*(shape.points[i] for i in t))]
         axis = n.index(max(n))
         for i in t:
             if (i, axis) not in numbers:
-                p = shape.points[i]
-                u, v = ((p[2], -p[1]), (p[0], p[2]), (p[0], -p[1]))[axis]
-                numbers[i, axis] = len(points)
-                points.append(p)
+                x, y, z = shape.points[i]
+                u, v = ((z, -y), (x, z), (x, -y))[axis]
+                numbers[i, axis] = len(texcoords)
                 texcoords.append([u / size, v / size])
         triangles.append(tuple(numbers[i, axis] for i in t))
-    return Shape(points, triangles, None, texcoords)
+    normals = shape.normals and [shape.normals[i] for i, _ in numbers]
+    return Shape([shape.points[i] for i, _ in numbers], triangles, normals, texcoords)
 
 
 def sphere(rows, columns):

@@ -39,8 +39,8 @@ def column(g, materials):
     square = joined(block(0.29, 0, 0.12, 0.012), block(0.27, 2.555, 2.63, 0.01), block(0.31, 2.63, COLUMN, 0.014))
     leaves = [capital_leaf(math.pi * (i + 0.5 * row) / 4, 2.275 + 0.11 * row, 0.17, 0.075 + 0.01 * row)
               for row in (0, 1) for i in range(8)]
-    return g.mesh((g.geometry(round_parts), materials["limestone"]), (g.geometry(square), materials["limestone"]),
-                  (g.geometry(joined(*leaves)), materials["limestone leaf"]))
+    return g.mesh(materials.part(round_parts, "limestone"), materials.part(square, "limestone"),
+                  materials.part(joined(*leaves), "limestone leaf"))
 
 
 def pier(g, materials):
@@ -50,7 +50,7 @@ def pier(g, materials):
     shaft = upright(prism(plan, 0.22, 2.56))
     stones = joined(block(0.36, 0, 0.16, 0.015), block(0.33, 0.16, 0.22, 0.012), shaft,
                     block(0.32, 2.555, 2.63, 0.01), block(0.36, 2.63, COLUMN, 0.014))
-    return g.mesh((g.geometry(stones), materials["limestone"]))
+    return g.mesh(materials.part(stones, "limestone"))
 
 
 def bay(g, materials):
@@ -58,7 +58,7 @@ def bay(g, materials):
     wall = arched_wall(BAY, SPRINGING - 0.06, SPRINGING, RADIUS, WALL_TOP, THICK)
     pale, rose = (s.moved(0, SPRINGING, 0) for s in ring_of_stones(RADIUS - 0.02, RADIUS + 0.235, 15, -THICK / 2 - 0.03,
                                                                    THICK / 2 + 0.03))
-    return g.mesh((g.geometry(joined(wall, pale)), materials["limestone"]), (g.geometry(rose), materials["rose stone"]))
+    return g.mesh(materials.part(joined(wall, pale), "limestone"), materials.part(rose, "rose stone"))
 
 
 def medallion(g, materials):
@@ -67,8 +67,8 @@ def medallion(g, materials):
     disc = lathed([[(0.195, 0.02), (0.15, 0.03), (0.08, 0.037), (0, 0.04)]], 32)
     boss = lathed([[(0.07, 0.03), (0.065, 0.05), (0.04, 0.065), (0, 0.07)]], 24)
     towards = quaternion([1, 0, 0], 90)
-    return g.mesh((g.geometry(joined(rim.turned(towards), boss.turned(towards))), materials["glaze white"]),
-                  (g.geometry(disc.turned(towards)), materials["glaze blue"]))
+    return g.mesh(materials.part(joined(rim.turned(towards), boss.turned(towards)), "glaze white"),
+                  materials.part(disc.turned(towards), "glaze blue"))
 
 
 def groin_vault(half_x, half_z, rise, steps=20):
@@ -101,7 +101,7 @@ def corbel(g, materials):
     """Carries a rib at the wall; its back is at z = 0."""
     profile = [[-0.02, 0], [0.06, 0], [0.10, 0.05], [0.22, 0.16], [0.24, 0.22], [0.24, 0.30], [-0.02, 0.30]]
     part = prism(profile, -0.2, 0.2, 0.01)
-    return g.mesh((g.geometry(part.turned(quaternion([0, 1, 0], -90))), materials["limestone"]))
+    return g.mesh(materials.part(part.turned(quaternion([0, 1, 0], -90)), "limestone"))
 
 
 def back_wall():
@@ -115,7 +115,7 @@ def dado(g, materials):
     paint = moulding([(0, FLOOR - 0.01), (0.015, FLOOR - 0.01), (0.015, 1.36), (0, 1.36)], BACK)
     edge = moulding([(0, 1.34), (0.04, 1.35), (0.055, 1.38), (0.055, 1.41), (0.03, 1.43), (0, 1.45)], BACK)
     skirting = moulding([(0, FLOOR - 0.01), (0.05, FLOOR - 0.01), (0.05, 0.50), (0.035, 0.53), (0, 0.54)], BACK)
-    return g.mesh((g.geometry(paint), materials["dado"]), (g.geometry(joined(edge, skirting)), materials["limestone"]))
+    return g.mesh(materials.part(paint, "dado"), materials.part(joined(edge, skirting), "limestone"))
 
 
 def cornice(g, materials):
@@ -127,18 +127,18 @@ def cornice(g, materials):
     count = int((REACH - 0.4) / spacing)
     teeth = [slab(x - 0.05, d + 0.045 - REACH, x + 0.05, d + 0.135 - REACH, 4.85, 4.965, 0.006, True)
              for x in (spacing * (i + 0.5) for i in range(-count, count))]
-    return g.mesh((g.geometry(joined(rail, crown, *teeth)), materials["limestone"]))
+    return g.mesh(materials.part(joined(rail, crown, *teeth), "limestone"))
 
 
 def add_arcade(g, materials):
     depth = BACK - REACH - THICK / 2
     middle = -(BACK + REACH + THICK / 2) / 2
     rise = SPRINGING + 1.4
-    over = g.mesh((g.geometry(groin_vault(BAY / 2, depth / 2, 1.4)), materials["vault"]))
-    over_corner = g.mesh((g.geometry(groin_vault(depth / 2, depth / 2, 1.4)), materials["vault"]))
-    ribs = [g.mesh((g.geometry(rib(depth / 2, 1.405, width)), materials["limestone"])) for width in (0.3, 0.5)]
+    over = g.mesh(materials.part(groin_vault(BAY / 2, depth / 2, 1.4), "vault"))
+    over_corner = g.mesh(materials.part(groin_vault(depth / 2, depth / 2, 1.4), "vault"))
+    ribs = [g.mesh(materials.part(rib(depth / 2, 1.405, width), "limestone")) for width in (0.3, 0.5)]
     wall, coping = back_wall()
-    walls = g.mesh((g.geometry(wall), materials["plaster"]), (g.geometry(coping), materials["limestone"]))
+    walls = g.mesh(materials.part(wall, "plaster"), materials.part(coping, "limestone"))
     meshes = [f(g, materials) for f in (column, pier, bay, medallion, corbel, dado, cornice)]
     one_column, one_pier, one_bay, one_medallion, one_corbel, feet, top = meshes
     for side in SIDES:

@@ -2,7 +2,7 @@
 from random import Random
 
 from scenes.cloister.plan import BACK, FLOOR, SIDES, place
-from scenes.masonry import ring_of_stones, slab, upright
+from scenes.masonry import slab
 from scenes.shapes import joined, quad
 
 EDGE = 6.3     # of the court's paving
@@ -51,22 +51,19 @@ def marble():
         for j in range(count):
             x, z = -BACK + i * TILE, -BACK + j * TILE
             if max(abs(x + TILE / 2), abs(z + TILE / 2)) > MARBLE:
-                squares[(i + j) % 2].append(slab(x + 0.0015, z + 0.0015, x + TILE - 0.0015, z + TILE - 0.0015, FLOOR - 0.01, FLOOR,
-                                                 0.002))
+                squares[(i + j) % 2].append(quad([x, FLOOR, z], [x, FLOOR, z + TILE], [x + TILE, FLOOR, z + TILE],
+                                                 [x + TILE, FLOOR, z]))
     return [joined(*s) for s in squares]
 
 
 def add_ground(g, materials):
     names = ("paving light", "paving warm", "paving grey", "paving dark")
-    g.node(name="paving", mesh=g.mesh(*((g.geometry(stones), materials[name]) for stones, name in zip(paving(), names)),
-                                      (g.geometry(level(EDGE + 0.1, -0.018)), materials["mortar"])))
+    g.node(name="paving", mesh=g.mesh(*(materials.part(stones, name) for stones, name in zip(paving(), names)),
+                                      materials.part(level(EDGE + 0.1, -0.018), "mortar")))
     light, dark = marble()
-    bed = level(BACK, FLOOR - 0.006)
-    g.node(name="marble", mesh=g.mesh((g.geometry(light), materials["cream marble"]),
-                                      (g.geometry(dark), materials["red marble"])))
+    g.node(name="marble", mesh=g.mesh(materials.part(light, "cream marble"),
+                                      materials.part(dark, "red marble")))
     steps = joined(kerb(EDGE, STEP, -0.04, FLOOR / 2, 9), kerb(STEP, MARBLE, -0.04, FLOOR, 10))
-    border = g.mesh((g.geometry(steps), materials["limestone"]))
+    border = g.mesh(materials.part(steps, "limestone"))
     for side in SIDES:
         place(g, border, side, 0, 0, 0)
-    dark_ring = [upright(s) for s in ring_of_stones(2.3, 2.55, 40, -0.04, 0.02, 0, 6.283185307179586)]
-    g.node(name="ring", mesh=g.mesh((g.geometry(joined(*dark_ring)), materials["basalt"])))

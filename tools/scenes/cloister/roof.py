@@ -50,10 +50,9 @@ def add_roof(g, materials):
     def mesh_of(rows, variant):
         if (rows, variant) not in meshes:
             parts = zip(tile_column(rows, 100 * rows + variant), TONES)
-            meshes[rows, variant] = g.mesh(*((g.geometry(shape), materials[tone]) for shape, tone in parts if shape))
+            meshes[rows, variant] = g.mesh(*(materials.part(shape, tone) for shape, tone in parts if shape))
         return meshes[rows, variant]
-    deck = g.mesh((g.geometry(moulding([(FIRST - 0.02, EAVES - 0.03), (FIRST - 0.02, EAVES), (REACH - BACK, RIDGE)], REACH)),
-                   materials["tile dark"]))
+    deck = g.mesh(materials.part(moulding([(FIRST - 0.02, EAVES - 0.03), (FIRST - 0.02, EAVES), (REACH - BACK, RIDGE)], REACH), "tile dark"))
     random = Random(7)
     columns = int(BACK / SPACING)
     for side in SIDES:

@@ -2,20 +2,24 @@
 from scenes.cloister.arcade import add_arcade
 from scenes.cloister.fountain import add_fountain
 from scenes.cloister.ground import add_ground
-from scenes.cloister.materials import add_materials
+from scenes.cloister.materials import Materials
+from scenes.cloister.plants import add_plants
 from scenes.cloister.roof import add_roof
+from scenes.cloister.tower import add_tower
 from scenes.gltf import Gltf
 
 
 def cloister():
     g = Gltf(decimals=5)
-    materials = add_materials(g)
-    g.camera("main", [2.4, 1.95, 9.4], [-0.6, 2.35, 0], 46)
-    g.camera("court", [5.8, 2.2, 5.9], [-1.2, 2.2, -2.5], 55)
+    materials = Materials(g)
+    g.camera("main", [2.4, 1.95, 7.0], [-0.2, 2.5, 0], 51)
+    g.camera("court", [1.2, 1.7, 6.6], [-0.6, 2.6, -2.5], 50)
     g.camera("arcade", [-8.9, 1.9, 9.2], [-8.6, 2.0, 0], 50)
     g.camera("fountain", [2.6, 1.9, 3.2], [0, 1.5, 0], 45)
     add_ground(g, materials)
     add_arcade(g, materials)
     add_roof(g, materials)
     add_fountain(g, materials)
+    add_plants(g, materials)
+    add_tower(g, materials)
     return g.glb()
