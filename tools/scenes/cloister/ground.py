@@ -57,6 +57,7 @@ def marble():
 
 
 def add_ground(g, materials):
+    g.node(name="meadow", mesh=g.mesh(materials.part(level(26, -0.1), "meadow")))
     names = ("paving light", "paving warm", "paving grey", "paving dark")
     g.node(name="paving", mesh=g.mesh(*(materials.part(stones, name) for stones, name in zip(paving(), names)),
                                       materials.part(level(EDGE + 0.1, -0.018), "mortar")))

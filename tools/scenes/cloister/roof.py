@@ -60,7 +60,7 @@ def add_roof(g, materials):
         for i in range(-columns, columns + 1):
             x = i * SPACING
             covered = max(0.0, abs(x) - (REACH - FIRST))
-            rows = ROWS - math.ceil(covered / RUN * ROWS - 0.35)
+            rows = ROWS - math.ceil(covered / RUN * ROWS - 0.6)
             if rows > 0:
                 variant = int(5 * random.random()) if rows >= ROWS else 0
                 place(g, mesh_of(min(rows, ROWS), variant), side, x, EAVES, FIRST - REACH)
