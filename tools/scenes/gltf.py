@@ -16,6 +16,14 @@ def single(x):
     return struct.unpack("<f", struct.pack("<f", x))[0]
 
 
+def looking(eye, target):
+    """The matrix of a node at `eye` whose -z is where `target` is."""
+    forward = unit([t - e for e, t in zip(eye, target)])
+    right = unit(cross(forward, [0, 1, 0]))
+    up = cross(right, forward)
+    return [round(c, 7) for c in (*right, 0, *up, 0, *[-f for f in forward], 0, *eye, 1)]
+
+
 class Gltf:
     """A document under construction. Sines differ in their last digit between machines, so coordinates are rounded to
     so many decimals."""
@@ -97,13 +105,9 @@ class Gltf:
         return len(self.nodes) - 1
 
     def camera(self, name, eye, target, degrees):
-        forward = unit([t - e for e, t in zip(eye, target)])
-        right = unit(cross(forward, [0, 1, 0]))
-        up = cross(right, forward)
         self.cameras.append({"name": name, "type": "perspective",
                              "perspective": {"yfov": round(math.radians(degrees), 6), "znear": 0.1}})
-        columns = [*right, 0, *up, 0, *[-f for f in forward], 0, *eye, 1]
-        self.node(name=name, camera=len(self.cameras) - 1, matrix=[round(c, 7) for c in columns])
+        self.node(name=name, camera=len(self.cameras) - 1, matrix=looking(eye, target))
 
     def light(self, **fields):
         """Returns what the light's node has."""
