@@ -1,7 +1,7 @@
 """What stones are cut to: prisms with bevelled edges, walls with an arch in them."""
 import math
 
-from scenes.shapes import Shape, box, joined, quad, sheet, without_slivers
+from scenes.shapes import Shape, joined, quad, sheet, without_slivers
 from scenes.vectors import dot, unit
 
 
@@ -21,7 +21,9 @@ def prism(polygon, back, front, bevel=0, has_back=True):
     """A polygon of the x-y plane, counterclockwise and such that its first corner sees all of it, from z = back to
     front, with the edges of its ends bevelled."""
     small = inset(polygon, bevel) if bevel else polygon
-    rings = [(polygon, back), (polygon, front - bevel), (small, front)] if bevel else [(polygon, back), (polygon, front)]
+    rings = [(polygon, back), (polygon, front)]
+    if bevel:
+        rings = [(polygon, back), (polygon, front - bevel), (small, front)]
     if bevel and has_back:
         rings = [(small, back), (polygon, back + bevel)] + rings[1:]
     n = len(polygon)
@@ -90,9 +92,10 @@ def arched_wall(width, bottom, springing, radius, top, thickness, steps=24):
                 ([[x0, bottom, z], [x1, bottom, z], [x1, top, z], [x0, top, z]]
                  for x0, x1 in ((-half, -radius), (radius, half)))]
         return joined(without_slivers(above), *ends)
-    under = sheet(1, last, lambda u, v: [*arch[round(v * last)], deep * (1 - 2 * round(u))])
+
     def side(x, z):
         return quad([x, bottom, z], [x, bottom, -z], [x, top, -z], [x, top, z])
+    under = sheet(1, last, lambda u, v: [*arch[round(v * last)], deep * (1 - 2 * round(u))])
     lid = quad([-half, top, deep], [half, top, deep], [half, top, -deep], [-half, top, -deep])
     return joined(face(deep, 1), face(-deep, -1), under, side(half, deep), side(-half, -deep), lid)
 

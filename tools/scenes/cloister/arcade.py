@@ -1,10 +1,10 @@
 """The arcade: columns, arches, vaults, the wall behind, the cornice above."""
 import math
 
-from scenes.cloister.plan import (BACK, BAY, BAYS, COLUMNS, EAVES, FLOOR, RADIUS, REACH, RIDGE, SIDES, SPRINGING, THICK,
-                                  WALL_TOP, place)
+from scenes.cloister.plan import (BACK, BAY, BAYS, COLUMNS, FLOOR, RADIUS, REACH, RIDGE, SIDES, SPRINGING, THICK, WALL_TOP,
+                                  place)
 from scenes.masonry import arched_wall, block, half_circle, moulding, prism, ring_of_stones, slab, upright
-from scenes.shapes import Shape, box, joined, lathed, quad, sheet, smoothed, without_slivers
+from scenes.shapes import joined, lathed, sheet, smoothed, without_slivers
 from scenes.vectors import quaternion
 
 COLUMN = SPRINGING - FLOOR  # height
@@ -63,7 +63,8 @@ def bay(g, materials):
 
 def medallion(g, materials):
     """A glazed disc in a rim, facing +z."""
-    rim = lathed([[(0.25, 0), (0.25, 0.03)], [(0.25, 0.03), (0.24, 0.045), (0.22, 0.05), (0.20, 0.045), (0.19, 0.02)]], 32)
+    rim = lathed([[(0.25, 0), (0.25, 0.03)],
+                  [(0.25, 0.03), (0.24, 0.045), (0.22, 0.05), (0.20, 0.045), (0.19, 0.02)]], 32)
     disc = lathed([[(0.195, 0.02), (0.15, 0.03), (0.08, 0.037), (0, 0.04)]], 32)
     boss = lathed([[(0.07, 0.03), (0.065, 0.05), (0.04, 0.065), (0, 0.07)]], 24)
     towards = quaternion([1, 0, 0], 90)
@@ -88,11 +89,14 @@ def groin_vault(half_x, half_z, rise, steps=20):
 
 def rib(half, rise, width, depth=0.2, steps=24):
     """Half an ellipse that stands across the arcade, in the plane x = 0, below the vaults."""
-    outer, inner = half_circle(half, 0, steps, rise / half), half_circle(half - depth, 0, steps, (rise - depth) / (half - depth))
+    outer = half_circle(half, 0, steps, rise / half)
+    inner = half_circle(half - depth, 0, steps, (rise - depth) / (half - depth))
 
     def strip(first, second, x0, x1):
-        return sheet(1, steps, lambda u, v: [(x0, x1)[round(u)], (first, second)[round(u)][round(v * steps)][1],
-                                             -(first, second)[round(u)][round(v * steps)][0]])
+        def point(u, v):
+            z, y = (first, second)[round(u)][round(v * steps)]
+            return [(x0, x1)[round(u)], y, -z]
+        return sheet(1, steps, point)
     w = width / 2
     return joined(strip(inner, inner, w, -w), strip(outer, inner, w, w), strip(inner, outer, -w, -w))
 

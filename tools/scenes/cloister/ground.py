@@ -39,8 +39,9 @@ def paving():
 def kerb(inner, outer, bottom, top, stones):
     """Long stones along one side, so that four of them close at the corners."""
     length = (inner + outer) / stones
-    return joined(*(slab(-outer + i * length + 0.004, -outer, -outer + (i + 1) * length - 0.004, -inner, bottom, top, 0.018)
-                    for i in range(stones)))
+    ends = [-outer + i * length for i in range(stones + 1)]
+    return joined(*(slab(left + 0.004, -outer, right - 0.004, -inner, bottom, top, 0.018)
+                    for left, right in zip(ends, ends[1:])))
 
 
 def marble():

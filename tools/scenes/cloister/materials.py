@@ -4,25 +4,44 @@ from scenes.png import png
 from scenes.shapes import box_mapped
 
 COLOURS = {  # linear red, green, blue; metallic; roughness
-    "limestone leaf": (0.74, 0.67, 0.55, 0, 0.75), "limestone": (0.80, 0.72, 0.59, 0, 0.75), "rose stone": (0.58, 0.36, 0.26, 0, 0.75),
-    "plaster": (0.83, 0.68, 0.50, 0, 0.95), "vault": (0.85, 0.80, 0.71, 0, 0.95),
-    "dado": (0.45, 0.20, 0.13, 0, 0.55),
-    "paving light": (0.62, 0.55, 0.45, 0, 0.7), "paving warm": (0.56, 0.46, 0.35, 0, 0.7),
-    "paving grey": (0.47, 0.44, 0.40, 0, 0.65), "paving dark": (0.38, 0.33, 0.28, 0, 0.65),
-    "meadow": (0.26, 0.25, 0.10, 0, 1.0), "mortar": (0.30, 0.26, 0.21, 0, 1.0),
-    "cream marble": (0.80, 0.74, 0.63, 0, 0.24), "red marble": (0.27, 0.10, 0.065, 0, 0.24),
-    "tile": (0.55, 0.23, 0.115, 0, 0.8), "tile pale": (0.64, 0.34, 0.19, 0, 0.8), "tile dark": (0.42, 0.165, 0.09, 0, 0.8),
-    "pot": (0.60, 0.26, 0.14, 0, 0.7), "soil": (0.06, 0.04, 0.03, 0, 1.0),
-    "bronze": (0.86, 0.54, 0.22, 1, 0.2), "dark bronze": (0.30, 0.20, 0.11, 1, 0.35),
-    "water": (0.015, 0.075, 0.085, 0, 0.02), "falling water": (0.62, 0.72, 0.76, 0, 0.05), "glaze blue": (0.03, 0.12, 0.40, 0, 0.08),
-    "glaze white": (0.80, 0.78, 0.72, 0, 0.12), "wood": (0.20, 0.095, 0.04, 0, 0.6), "iron": (0.08, 0.08, 0.085, 1, 0.5),
-    "bark": (0.16, 0.115, 0.08, 0, 1.0), "leaf": (0.07, 0.17, 0.03, 0, 0.45), "leaf young": (0.15, 0.28, 0.05, 0, 0.45),
-    "lemon": (0.86, 0.62, 0.03, 0, 0.4), "bract": (0.62, 0.045, 0.26, 0, 0.7), "cypress": (0.035, 0.085, 0.025, 0, 0.9),
-    "agave": (0.16, 0.30, 0.20, 0, 0.5)}
-THIN = ("leaf", "leaf young", "bract", "cypress", "limestone leaf")
-
-
-STONE = ("limestone", "rose stone", "plaster", "dado", "paving light", "paving warm", "paving grey", "paving dark", "pot")
+    "limestone leaf": (0.74, 0.67, 0.55, 0, 0.75),
+    "limestone": (0.8, 0.72, 0.59, 0, 0.75),
+    "rose stone": (0.58, 0.36, 0.26, 0, 0.75),
+    "plaster": (0.83, 0.68, 0.5, 0, 0.95),
+    "vault": (0.85, 0.8, 0.71, 0, 0.95),
+    "dado": (0.45, 0.2, 0.13, 0, 0.55),
+    "paving light": (0.62, 0.55, 0.45, 0, 0.7),
+    "paving warm": (0.56, 0.46, 0.35, 0, 0.7),
+    "paving grey": (0.47, 0.44, 0.4, 0, 0.65),
+    "paving dark": (0.38, 0.33, 0.28, 0, 0.65),
+    "meadow": (0.26, 0.25, 0.1, 0, 1.0),
+    "mortar": (0.3, 0.26, 0.21, 0, 1.0),
+    "cream marble": (0.8, 0.74, 0.63, 0, 0.24),
+    "red marble": (0.27, 0.1, 0.065, 0, 0.24),
+    "tile": (0.55, 0.23, 0.115, 0, 0.8),
+    "tile pale": (0.64, 0.34, 0.19, 0, 0.8),
+    "tile dark": (0.42, 0.165, 0.09, 0, 0.8),
+    "pot": (0.6, 0.26, 0.14, 0, 0.7),
+    "soil": (0.06, 0.04, 0.03, 0, 1.0),
+    "bronze": (0.86, 0.54, 0.22, 1, 0.2),
+    "dark bronze": (0.3, 0.2, 0.11, 1, 0.35),
+    "water": (0.015, 0.075, 0.085, 0, 0.02),
+    "falling water": (0.62, 0.72, 0.76, 0, 0.05),
+    "glaze blue": (0.03, 0.12, 0.4, 0, 0.08),
+    "glaze white": (0.8, 0.78, 0.72, 0, 0.12),
+    "wood": (0.2, 0.095, 0.04, 0, 0.6),
+    "iron": (0.08, 0.08, 0.085, 1, 0.5),
+    "bark": (0.16, 0.115, 0.08, 0, 1.0),
+    "leaf": (0.07, 0.17, 0.03, 0, 0.45),
+    "leaf young": (0.15, 0.28, 0.05, 0, 0.45),
+    "lemon": (0.86, 0.62, 0.03, 0, 0.4),
+    "bract": (0.62, 0.045, 0.26, 0, 0.7),
+    "cypress": (0.035, 0.085, 0.025, 0, 0.9),
+    "agave": (0.16, 0.3, 0.2, 0, 0.5),
+}
+THIN = ("leaf", "leaf young", "bract", "cypress", "limestone leaf")  # seen from both sides
+STONE = ("limestone", "rose stone", "plaster", "dado", "paving light", "paving warm", "paving grey", "paving dark",
+         "pot")
 POLISHED = ("cream marble", "red marble")
 GRAIN = 1.6  # metres that a texture covers
 

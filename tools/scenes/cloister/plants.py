@@ -2,10 +2,8 @@
 import math
 from random import Random
 
-from scenes.cloister.arcade import bulge
-from scenes.cloister.plan import FLOOR
-from scenes.foliage import anywhere, clump, leaf, needle
-from scenes.shapes import joined, lathed, sheet, smoothed, sphere, without_slivers
+from scenes.foliage import anywhere, clump, needle
+from scenes.shapes import joined, lathed, sheet, smoothed, sphere
 from scenes.vectors import added, quaternion, scaled, unit
 
 
@@ -93,7 +91,8 @@ def cypress(g, materials):
         h, angle = random.random() ** 1.2, 2 * math.pi * random.random()
         out = [math.sin(angle), 0, math.cos(angle)]
         foot = added(scaled(out, radius(h) * (0.72 + 0.2 * random.random())), [0, 10 * h - 0.3, 0])
-        along = unit(added(scaled(out, 0.28 + 0.3 * random.random()), [0.2 * (random.random() - 0.5), 1, 0.2 * (random.random() - 0.5)]))
+        outwards = scaled(out, 0.28 + 0.3 * random.random())
+        along = unit(added(outwards, [0.2 * (random.random() - 0.5), 1, 0.2 * (random.random() - 0.5)]))
         sprays.append(needle(foot, along, out, 0.75 + 0.5 * random.random(), 0.26))
     return g.mesh(materials.part(joined(body), "cypress"), materials.part(joined(*sprays), "cypress"))
 
