@@ -62,15 +62,17 @@ class SampleWatch {
 
 bool isExr(const std::filesystem::path& file) { return file.extension() == ".exr"; }
 
-// The primary rays of a path are gone by the end: those through the pixels' centres are judged in their place.
-CheckResult checked(Run& run, Session& session, const BuiltTree& built, const PictureRequest& request) {
+// The primary rays of a path are gone by the end, and rays that look through something have other hits than the
+// reference finds: those through the pixels' centres are judged in their place, by which every triangle is seen.
+CheckResult checked(Run& run, Session& session, const BuiltTree& built, const DeviceSurfaces& surfaces,
+                    const PictureRequest& request) {
     Renderer& renderer = run.device.renderer();
-    if (request.view == View::path) {
+    if (showsSurfaces(request.view)) {
         PictureRequest primary = request;
         primary.view = View::normals;
         primary.samples = 1;
         primary.goesOn = nullptr;
-        renderer.render(*built.onDevice, session.trianglesOnDevice(), session.materialsOnDevice(), primary);
+        renderer.render(*built.onDevice, session.trianglesOnDevice(), surfaces, primary);
     }
     return session.check(renderer.readRays(), renderer.readHits(), Query::closest, run.options.check);
 }
@@ -81,8 +83,9 @@ void runRender(Run& run) {
     const Options& options = run.options;
     requireWritable(options.output);
     if (options.json) requireWritable(*options.json);
-    Session session(run, options.scenes.empty() ? defaultScene() : options.scenes.front());
-    const DeviceMaterials& materials = session.materialsOnDevice();
+    const Detail detail = showsSurfaces(options.view) ? Detail::corners : Detail::triangles;
+    Session session(run, options.scenes.empty() ? defaultScene() : options.scenes.front(), detail);
+    const DeviceSurfaces surfaces = session.surfacesOnDevice(options.view);
     BuiltTree built = session.build(options.builders.front());
     const DeviceTree& tree = session.upload(built);
     const DeviceTriangles& triangles = session.trianglesOnDevice();
@@ -92,7 +95,7 @@ void runRender(Run& run) {
     PictureRequest request = requestOf(run, session);
     SampleWatch watch(run, request.samples);
     request.goesOn = [&](uint32_t taken) { return watch.goesOn(taken); };
-    Picture picture = renderer.render(tree, triangles, materials, request);
+    Picture picture = renderer.render(tree, triangles, surfaces, request);
     run.progress.clear();
     const uint64_t rays = uint64_t{options.width} * options.height * picture.samples;
     if (options.view == View::steps || options.view == View::leaves) drawLegend(picture);
@@ -108,7 +111,7 @@ void runRender(Run& run) {
     report["build"]["setupMs"] = numberJson(run.device.setupMilliseconds());
     CheckResult check;
     if (options.check > 0) {
-        check = checked(run, session, built, request);
+        check = checked(run, session, built, surfaces, request);
         report["check"] = checkJson(check);
     }
     writeReport(run, report);

@@ -13,8 +13,6 @@ constexpr float kSineOfSun = 0.01f;
 constexpr vec3 kSun{3.6f, 3.25f, 2.7f};
 constexpr Sky kDaySky{{0.42f, 0.48f, 0.55f}, {0.14f, 0.26f, 0.48f}};
 
-vec3 emissionOf(const gltf::Material& material) { return material.emissive * material.emissiveStrength; }
-
 LightSource sourceOf(const gltf::Light& light, const PlacedLight& placed) {
     LightSource source{};
     source.position = vec3(placed.position);
@@ -29,10 +27,15 @@ LightSource sourceOf(const gltf::Light& light, const PlacedLight& placed) {
     return source;
 }
 
-bool surfaceShines(const Scene& scene, const PosedScene& posed) {
-    return std::any_of(posed.materialOf.begin(), posed.materialOf.end(), [&](uint32_t material) {
-        return largestComponent(emissionOf(scene.materials[material])) > 0.0f;
-    });
+// A texture of what shines is decoration, such as a display, unless the file gives it a strength.
+bool isLamp(const gltf::Material& m) {
+    const bool decorates = m.emissiveTexture && m.emissiveStrength <= 1.0f;
+    return !decorates && largestComponent(m.emissive * m.emissiveStrength) > 0.0f;
+}
+
+bool hasLamps(const Scene& scene, const PosedScene& posed) {
+    return std::any_of(posed.materialOf.begin(), posed.materialOf.end(),
+                       [&](uint32_t material) { return isLamp(scene.materials[material]); });
 }
 
 LightSource sun() {
@@ -46,18 +49,11 @@ LightSource sun() {
 
 }  // namespace
 
-std::vector<Material> materialsOf(const Scene& scene) {
-    std::vector<Material> all;
-    for (const gltf::Material& m : scene.materials)
-        all.push_back({m.baseColour, emissionOf(m), m.metallic, m.roughness, m.unlit ? kMaterialUnlit : 0u});
-    return all;
-}
-
 Lighting lightingOf(const Scene& scene, const PosedScene& posed) {
     Lighting lighting;
     for (const PlacedLight& placed : posed.lights)
         lighting.lights.push_back(sourceOf(scene.lights[placed.light], placed));
-    if (lighting.lights.empty() && !surfaceShines(scene, posed)) {
+    if (lighting.lights.empty() && !hasLamps(scene, posed)) {
         lighting.sky = kDaySky;
         lighting.lights.push_back(sun());
     }

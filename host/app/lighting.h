@@ -1,15 +1,10 @@
-// What a scene is made of and lit by, in the form that pictures take.
+// What lights a scene, in the form that pictures take.
 #pragma once
-
-#include <vector>
 
 #include "run/renderer.h"
 #include "scene/pose.h"
 
 namespace cleave {
-
-// One per material of the scene.
-std::vector<Material> materialsOf(const Scene& scene);
 
 // What lights a scene: what shines in it, its lights (KHR_lights_punctual) and surfaces; where nothing does, a sun and
 // the sky. Intensities are taken as they are: candelas and lux count as radiometric units.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/lighting.h"
+#include "app/surfaces.h"
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
@@ -28,10 +28,10 @@ void buildOnHost(BuiltTree& built, const TriangleSet& set, const BuildSettings& 
 
 }  // namespace
 
-Session::Session(Run& run, const fs::path& file) : run_(run) {
+Session::Session(Run& run, const fs::path& file, Detail detail) : run_(run) {
     run_.progress.phase("loading " + oneLine(file.filename().string()));
     scene_ = loadGltf(file);
-    posed_ = pose(scene_);
+    posed_ = pose(scene_, {}, kMostTriangles, detail);
     for (const auto& warnings : {scene_.warnings, posed_.warnings})
         for (const std::string& warning : warnings) run_.warn(warning);
     set_ = makeTriangleSet(posed_.triangles);
@@ -44,10 +44,15 @@ const DeviceTriangles& Session::trianglesOnDevice() {
     return *onDevice_;
 }
 
-const DeviceMaterials& Session::materialsOnDevice() {
-    if (materials_) return *materials_;
-    materials_ = std::make_unique<DeviceMaterials>(run_.device.device(), posed_.materialOf, materialsOf(scene_));
-    return *materials_;
+DeviceSurfaces Session::surfacesOnDevice(View view) {
+    run_.progress.phase("reading images");
+    Device& device = run_.device.device();
+    uint64_t most = device.largestAllocation();
+    if (run_.options.settings.memory != 0) most = std::min(most, run_.options.settings.memory);
+    const SurfaceData data =
+        surfacesOf(scene_, posed_, view, most, [this](const std::string& warning) { run_.warn(warning); });
+    run_.progress.clear();
+    return DeviceSurfaces(device, data);
 }
 
 void Session::buildOnDevice(BuiltTree& built, const BuildSettings& settings) {

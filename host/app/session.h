@@ -19,7 +19,7 @@ namespace cleave {
 class Session {
   public:
     // Loads the scene, poses it and passes warnings on. `run` outlives the session.
-    Session(Run& run, const std::filesystem::path& file);
+    Session(Run& run, const std::filesystem::path& file, Detail detail = Detail::triangles);
 
     const Scene& scene() const { return scene_; }
     const PosedScene& posed() const { return posed_; }
@@ -39,7 +39,9 @@ class Session {
     const DeviceTree& upload(BuiltTree& built);
     // What pictures need beside the tree.
     const DeviceTriangles& trianglesOnDevice();
-    const DeviceMaterials& materialsOnDevice();
+    // What a view shows of surfaces; those of the scene's corners if the session was made with these. Warns of images
+    // that cannot be read.
+    DeviceSurfaces surfacesOnDevice(View view);
 
     // Judges up to `count` of the rays. The reference is made at the first call and serves all builders.
     CheckResult check(std::span<const Ray> rays, std::span<const Hit> hits, Query query, uint64_t count);
@@ -57,7 +59,6 @@ class Session {
     TriangleSet set_;
     Box bounds_ = emptyBox();
     std::unique_ptr<DeviceTriangles> onDevice_;
-    std::unique_ptr<DeviceMaterials> materials_;
     std::unique_ptr<Reference> reference_;
 };
 

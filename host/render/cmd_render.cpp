@@ -1,14 +1,53 @@
 #include "render/cmd_render.h"
 
+#include <algorithm>
+#include <cstdlib>
 #include <string>
 
 #include "base/error.h"
+#include "core/trace_push.h"
 #include "shared/dispatch.h"
 
 namespace cleave {
 namespace {
 
 VkDeviceAddress addressOf(const Place& p, const Range* scratch) { return scratch[p.range].address + p.offset; }
+
+constexpr const char* kNames[] = {
+#define CLEAVE_PASS_NAME(kernel, twin) #kernel,
+    CLEAVE_PICTURE_PASSES(CLEAVE_PASS_NAME)
+#undef CLEAVE_PASS_NAME
+};
+constexpr const char* kAlpha = "trace_alpha";
+
+std::vector<PictureKernels::Pass> passesOf(View view) {
+    using P = PictureKernels;
+    switch (view) {
+        case View::path:
+            return {P::camera_rays, P::path_scatter, P::path_gather, P::tone};
+        case View::shaded:
+            return {P::camera_rays, P::shadow_rays, P::shade, P::tone};
+        case View::depth:
+            return {P::camera_rays, P::depth_scale, P::shade, P::tone};
+        case View::steps:
+        case View::leaves:
+            return {P::camera_rays, P::count_histogram, P::select_count, P::shade, P::tone};
+        case View::normals:
+            break;
+    }
+    return {P::camera_rays, P::shade, P::tone};
+}
+
+// The specialisation constants of lib/trace_main.glsl, which come first, do not concern the passes.
+std::vector<uint32_t> constantsOf(PictureKernels::Pass pass, const PictureInfo& info) {
+    const bool seesSurfaces = pass == PictureKernels::path_scatter || pass == PictureKernels::shade;
+    return seesSurfaces ? std::vector<uint32_t>{0, 0, 0, info.surfaces.parts} : std::vector<uint32_t>{};
+}
+
+std::vector<uint32_t> alphaConstants(const TraceMode& mode, const PictureInfo& info) {
+    return {mode.query == Query::any ? 1u : 0u, mode.countSteps ? 1u : 0u, static_cast<uint32_t>(mode.test),
+            info.surfaces.parts, static_cast<uint32_t>(mode.traversal)};
+}
 
 class PictureRecording {
   public:
@@ -37,8 +76,7 @@ class PictureRecording {
         TraceInfo trace = traced(at_.rays, at_.hits, at_.trails, info_.primaryMode(), resumes);
         trace.counters = address(at_.state) + offsetof(PictureState, primary);
         if (counts_.counted > 0) trace.steps = address(at_.steps);
-        recorder_.barrier();
-        cmdTrace(recorder_.commands(), *tracing_.primary, trace);
+        hits(bounce_ == 0 ? PictureRays::primary : PictureRays::bounce, tracing_.primary, trace);
         note(bounce_ == 0 ? "trace" : "trace bounces");
     }
 
@@ -60,8 +98,7 @@ class PictureRecording {
         if (info_.view != View::path) zero(offsetof(PictureState, shadow), sizeof(TraceCounters));
         TraceInfo trace = traced(at_.shadowRays, at_.shadowHits, at_.shadowTrails, info_.shadowMode(), resumes);
         trace.counters = address(at_.state) + offsetof(PictureState, shadow);
-        recorder_.barrier();
-        cmdTrace(recorder_.commands(), *tracing_.shadow, trace);
+        hits(PictureRays::shadow, tracing_.shadow, trace);
         note("trace shadows");
     }
 
@@ -72,11 +109,12 @@ class PictureRecording {
         zero(offsetof(PictureState, shadow), sizeof(TraceCounters));
         for (;;) {
             perRay(PictureKernels::path_scatter, bounce_);
-            if (bounce_++ == info_.settings.bounces) return;
+            if (bounce_ == info_.settings.bounces) return;
             if (info_.settings.lightCount > 0) {
                 shadowHits(false);
                 perRay(PictureKernels::path_gather);
             }
+            bounce_++;
             primaryHits(false);
         }
     }
@@ -98,8 +136,9 @@ class PictureRecording {
     VkDeviceAddress address(const Place& p) const { return addressOf(p, scratch_); }
     PicturePush push(uint32_t round) const { return {address(at_.args), round, sample_}; }
     void pass(PictureKernels::Pass kernel, uint32_t round, uint32_t groups) {
-        recorder_.dispatch(kernels_[kernel], push(round), groups);
-        note(kernels_[kernel].name().data());
+        const Kernel& made = kernels_.of(kernel, info_);
+        recorder_.dispatch(made, push(round), groups);
+        note(made.name().data());
     }
     void perRay(PictureKernels::Pass kernel, uint32_t round = 0) { pass(kernel, round, ceilDiv(rayCount(), kGroup)); }
     void note(const char* pass) const {
@@ -107,6 +146,15 @@ class PictureRecording {
     }
     void zero(size_t offset, size_t bytes) {
         recorder_.fillZero(scratch_[0].buffer, scratch_[0].offset + at_.state.offset + offset, bytes);
+    }
+    void hits(PictureRays rays, const Context* context, const TraceInfo& trace) {
+        if (info_.looksThrough(rays)) {
+            const SurfaceTracePush all{tracePush(trace), push(bounce_)};
+            recorder_.dispatch(kernels_.ofAlpha(trace.mode, info_), all, ceilDiv(trace.count, kGroup));
+            return;
+        }
+        recorder_.barrier();
+        cmdTrace(recorder_.commands(), *context, trace);
     }
     TraceInfo traced(const Place& rays, const Place& hits, const Place& trails, const TraceMode& mode,
                      bool resumes) const {
@@ -133,8 +181,9 @@ PictureArgs pictureArgs(const PictureInfo& info, const PictureLayout& at, const 
     a.state = addressOf(at.state, scratch);
     a.tree = info.tree;
     a.triangles = info.triangles;
-    a.materialOf = info.materialOf;
-    a.materials = info.materials;
+#define CLEAVE_BIND(name, Element, Array, part) a.name = info.surfaces.name;
+    CLEAVE_SURFACE_ARRAYS(CLEAVE_BIND)
+#undef CLEAVE_BIND
     a.lights = info.lights;
     a.albedo = info.albedo;
     a.camera = info.camera;
@@ -147,15 +196,44 @@ PictureArgs pictureArgs(const PictureInfo& info, const PictureLayout& at, const 
 }
 
 PictureKernels::PictureKernels(const PipelineHome& home, uint32_t longestRow)
-    : home_(home), row_(longestRow != 0 ? longestRow : kLongestRow) {
-    static constexpr const char* kNames[] = {
-#define CLEAVE_PASS_NAME(kernel, twin) #kernel,
-        CLEAVE_PICTURE_PASSES(CLEAVE_PASS_NAME)
-#undef CLEAVE_PASS_NAME
-    };
-    for (size_t i = 0; i < count; i++)
-        if (kernels_[i].create(home, findSpirv(renderKernels(), kNames[i]), sizeof(PicturePush), {}) != VK_SUCCESS)
-            throw Error(std::string("creating the pipeline of kernel ") + kNames[i] + " failed; try another device");
+    : home_(home), row_(longestRow != 0 ? longestRow : kLongestRow) {}
+
+const PictureKernels::Variant* PictureKernels::find(std::string_view name, std::span<const uint32_t> constants) const {
+    const auto found = std::find_if(variants_.begin(), variants_.end(), [&](const Variant& v) {
+        return v.kernel.name() == name && std::ranges::equal(v.constants, constants);
+    });
+    return found == variants_.end() ? nullptr : &*found;
+}
+
+void PictureKernels::make(const char* name, size_t pushBytes, std::vector<uint32_t> constants) {
+    if (find(name, constants)) return;
+    Variant variant;
+    if (variant.kernel.create(home_, findSpirv(renderKernels(), name), static_cast<uint32_t>(pushBytes), constants) !=
+        VK_SUCCESS)
+        throw Error(std::string("creating the pipeline of kernel ") + name + " failed; try another device");
+    variant.constants = std::move(constants);
+    variants_.push_back(std::move(variant));
+}
+
+void PictureKernels::prepare(const PictureInfo& info) {
+    for (const Pass pass : passesOf(info.view)) make(kNames[pass], sizeof(PicturePush), constantsOf(pass, info));
+    if (info.looksThrough(PictureRays::primary))
+        make(kAlpha, sizeof(SurfaceTracePush), alphaConstants(info.primaryMode(), info));
+    if (info.looksThrough(PictureRays::shadow))
+        make(kAlpha, sizeof(SurfaceTracePush), alphaConstants(info.shadowMode(), info));
+}
+
+// What was not prepared is a mistake of the caller, for which there is no answer.
+const Kernel& PictureKernels::of(Pass pass, const PictureInfo& info) const {
+    const Variant* found = find(kNames[pass], constantsOf(pass, info));
+    if (!found) std::abort();
+    return found->kernel;
+}
+
+const Kernel& PictureKernels::ofAlpha(const TraceMode& mode, const PictureInfo& info) const {
+    const Variant* found = find(kAlpha, alphaConstants(mode, info));
+    if (!found) std::abort();
+    return found->kernel;
 }
 
 void cmdRenderSample(VkCommandBuffer commands, const PictureKernels& kernels, const PictureTracing& tracing,

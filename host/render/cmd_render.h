@@ -1,11 +1,13 @@
 // Records a picture, sample by sample: camera rays, their hits, the view's scale, shadows or whole paths, colours.
 #pragma once
 
-#include <array>
+#include <deque>
+#include <vector>
 
 #include "cleave/cleave.hpp"
 #include "record/recorder.h"
 #include "render/picture_layout.h"
+#include "render/surface_data.h"
 
 namespace cleave {
 
@@ -18,6 +20,8 @@ enum class View : uint32_t {
     path = kViewPath
 };
 inline bool countsSteps(View view) { return view == View::steps || view == View::leaves; }
+// Where light is shown, rays look through what is not there: alpha, and backs that are not to be seen.
+inline bool showsSurfaces(View view) { return view == View::shaded || view == View::path; }
 // A pixel of the others shows one ray, so that the mean of several would mean nothing.
 inline bool takesSamples(View view) { return view == View::shaded || view == View::normals || view == View::path; }
 
@@ -33,13 +37,15 @@ inline bool takesSamples(View view) { return view == View::shaded || view == Vie
     ROW(path_gather, pathGather)         \
     ROW(tone, tone)
 
+// From the camera; on from a surface; to a light.
+enum class PictureRays { primary, bounce, shadow };
+
 struct PictureInfo {
     VkDeviceAddress tree = 0;
-    VkDeviceAddress triangles = 0;   // 36 bytes each: the vertices in world space, by number
-    VkDeviceAddress materialOf = 0;  // uint32 per triangle
-    VkDeviceAddress materials = 0;   // Material of shared/material.h
-    VkDeviceAddress lights = 0;      // LightSource of shared/light.h, settings.lightCount of them, for paths
-    VkDeviceAddress albedo = 0;      // of render/albedo_table.h, for paths
+    VkDeviceAddress triangles = 0;  // 36 bytes each: the vertices in world space, by number
+    SurfaceAddresses surfaces;
+    VkDeviceAddress lights = 0;  // LightSource of shared/light.h, settings.lightCount of them, for paths
+    VkDeviceAddress albedo = 0;  // of render/albedo_table.h, for paths
     ImageCamera camera{};
     View view = View::shaded;
     uint32_t samples = 1;  // of a pixel; a single one is at its centre
@@ -54,6 +60,10 @@ struct PictureInfo {
     void (*onPass)(void* user, const char* pass) = nullptr;
     void* user = nullptr;
 
+    bool looksThrough(PictureRays rays) const {
+        const bool backs = surfaces.singleSided && rays == PictureRays::primary;
+        return showsSurfaces(view) && (surfaces.hasAlpha || backs);
+    }
     TraceMode primaryMode() const { return {Query::closest, traversal, test, countsSteps(view)}; }
     TraceMode shadowMode() const { return {Query::any, traversal, test, false}; }
 };
@@ -61,10 +71,10 @@ struct PictureInfo {
 // The arguments of a picture's kernels, which lie in `scratch` as `at` says.
 PictureArgs pictureArgs(const PictureInfo& info, const PictureLayout& at, const Range* scratch) noexcept;
 
-// The pipelines of a picture, beside those that trace.
+// The pipelines of pictures, beside those that trace through what is opaque. A pipeline is made when a picture first
+// needs it, without the code for parts that its scene does not have.
 class PictureKernels {
   public:
-    // Throws Error.
     explicit PictureKernels(const PipelineHome& home, uint32_t longestRow = 0);
 
     enum Pass : size_t {
@@ -73,16 +83,27 @@ class PictureKernels {
 #undef CLEAVE_PASS_NUMBER
             count
     };
-    const Kernel& operator[](Pass pass) const { return kernels_[pass]; }
+    // Makes what the picture needs and is not there yet. Throws Error.
+    void prepare(const PictureInfo& info);
+    // Of a picture that they are prepared for.
+    const Kernel& of(Pass pass, const PictureInfo& info) const;
+    const Kernel& ofAlpha(const TraceMode& mode, const PictureInfo& info) const;
     Recorder recorder(VkCommandBuffer commands) const { return {*home_.functions, commands, row_}; }
 
   private:
+    struct Variant {
+        std::vector<uint32_t> constants;
+        Kernel kernel;
+    };
+    const Variant* find(std::string_view name, std::span<const uint32_t> constants) const;
+    void make(const char* name, size_t pushBytes, std::vector<uint32_t> constants);
+
     PipelineHome home_;
     uint32_t row_;
-    std::array<Kernel, count> kernels_;
+    std::deque<Variant> variants_;  // few
 };
 
-// The contexts that trace a picture's rays; they may be the same one.
+// The contexts that trace a picture's rays; they may be the same one. Not used for rays that look through something.
 struct PictureTracing {
     const Context* primary = nullptr;  // has info.primaryMode()
     const Context* shadow = nullptr;   // has info.shadowMode(), for the views of light
@@ -100,7 +121,6 @@ void cmdShowPicture(VkCommandBuffer commands, const PictureKernels& kernels, con
 
 // Where PictureState tells of rays that the step limit ended, a sample goes on by these, as often as it takes, before
 // the next one: the rays of one kind continue, and what follows from their hits is made anew. Not for paths.
-enum class PictureRays { primary, shadow };
 void cmdResumeSample(VkCommandBuffer commands, const PictureKernels& kernels, const PictureTracing& tracing,
                      const PictureInfo& info, const Range* scratch, uint32_t sample, PictureRays rays);
 

@@ -10,8 +10,19 @@
 
 namespace cleave {
 
-DeviceMaterials::DeviceMaterials(Device& device, std::span<const uint32_t> perTriangle, std::span<const Material> all)
-    : materialOf(uploaded(device, perTriangle)), materials(uploaded(device, all)) {}
+DeviceSurfaces::DeviceSurfaces(Device& device, const SurfaceData& data) {
+    addresses_.parts = data.parts;
+    addresses_.hasAlpha = data.hasAlpha;
+    addresses_.singleSided = data.singleSided;
+    const auto upload = [&](const auto& items, VkDeviceAddress& address) {
+        if (items.empty()) return;
+        buffers_.push_back(uploaded(device, std::span(items)));
+        address = buffers_.back().address();
+    };
+#define CLEAVE_UPLOAD(name, Element, Array, part) upload(data.name, addresses_.name);
+    CLEAVE_SURFACE_ARRAYS(CLEAVE_UPLOAD)
+#undef CLEAVE_UPLOAD
+}
 
 namespace {
 
@@ -122,14 +133,13 @@ Renderer::Renderer(Device& device, Tracer& tracer, TraceLimits limits) {
 }
 Renderer::~Renderer() = default;
 
-Picture Renderer::render(const DeviceTree& tree, const DeviceTriangles& triangles, const DeviceMaterials& materials,
+Picture Renderer::render(const DeviceTree& tree, const DeviceTriangles& triangles, const DeviceSurfaces& surfaces,
                          const PictureRequest& request) {
     State& s = *state_;
     PictureInfo info;
     info.tree = tree.address();
     info.triangles = triangles.triangles.address();
-    info.materialOf = materials.materialOf.address();
-    info.materials = materials.materials.address();
+    info.surfaces = surfaces.addresses();
     info.camera = request.camera;
     info.view = request.view;
     info.samples = request.samples;
@@ -143,8 +153,14 @@ Picture Renderer::render(const DeviceTree& tree, const DeviceTriangles& triangle
     info.onPass = [](void* user, const char* pass) { static_cast<Commands*>(user)->stamp(pass); };
     info.user = &s.commands;
     const bool shadows = request.view == View::shaded || info.settings.lightCount > 0;
-    const PictureTracing tracing{&s.tracer.context(info.primaryMode()),
-                                 shadows ? &s.tracer.context(info.shadowMode()) : nullptr};
+    PictureTracing tracing;
+    if (!info.looksThrough(PictureRays::primary) ||
+        (info.view == View::path && !info.looksThrough(PictureRays::bounce)))
+        tracing.primary = &s.tracer.context(info.primaryMode());
+    if (shadows && !info.looksThrough(PictureRays::shadow)) tracing.shadow = &s.tracer.context(info.shadowMode());
+    const Stopwatch setup;
+    s.kernels.prepare(info);
+    setupMs_ += setup.milliseconds();
     s.reserve(info);
 
     Picture picture;

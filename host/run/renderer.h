@@ -10,12 +10,15 @@
 
 namespace cleave {
 
-// What surfaces are made of, as a picture needs it.
-struct DeviceMaterials {
-    Buffer materialOf;  // uint32 per triangle
-    Buffer materials;
+// What surfaces are made of, in device memory.
+class DeviceSurfaces {
+  public:
+    DeviceSurfaces(Device& device, const SurfaceData& data);
+    const SurfaceAddresses& addresses() const { return addresses_; }
 
-    DeviceMaterials(Device& device, std::span<const uint32_t> materialOf, std::span<const Material> materials);
+  private:
+    std::vector<Buffer> buffers_;
+    SurfaceAddresses addresses_;
 };
 
 // What lights paths.
@@ -55,8 +58,8 @@ class Renderer {
   public:
     Renderer(Device& device, Tracer& tracer, TraceLimits limits = {});
     ~Renderer();
-    double setupMilliseconds() const { return setupMs_; }  // of its kernels, without those that trace
-    Picture render(const DeviceTree& tree, const DeviceTriangles& triangles, const DeviceMaterials& materials,
+    double setupMilliseconds() const { return setupMs_; }  // of the kernels so far, without those that trace
+    Picture render(const DeviceTree& tree, const DeviceTriangles& triangles, const DeviceSurfaces& surfaces,
                    const PictureRequest& request);
 
     // The primary rays of the last picture's last sample and their hits, tile by tile (pixelOf() in shared/picture.h).

@@ -17,7 +17,12 @@ void complete(std::vector<Value>& values, size_t size, const Value& without) {
 }  // namespace
 
 void PosablePrimitive::appendTo(PosedScene& posed, const glm::dmat4& toWorld) const {
-    if (surface_) appendCorners(posed.corners, 3 * posed.triangles.size(), toWorld);
+    if (surface_) {
+        appendCorners(posed.corners, 3 * posed.triangles.size(), toWorld);
+        // A node that mirrors turns triangles round (glTF 2.0, section 3.7.4). Joints place what they move.
+        posed.mirrored.resize(posed.triangles.size() + count_,
+                              !vertices_.hasJoints() && glm::determinant(glm::dmat3(toWorld)) < 0.0);
+    }
     for (size_t i = 0; i < count_; ++i) {
         const std::array<size_t, 3> corner = cornersOf(mode_, i);
         auto vertex = [&](size_t k) { return vertices_.at(indices_[corner[k]], toWorld); };

@@ -10,9 +10,10 @@ PathStep stepOf(const PictureArrays& a, uint32_t i, const vec3& throughput, Pass
     const uint32_t pixel = pixelOf(i, a.camera.width, a.camera.height);
     LightSource light{};
     if (a.settings.lightCount > 0) light = a.lights[lightOf(a.settings, pixel, numbers.path, numbers.round)];
-    const vec3 normal = facingNormal(hitTriangle(a, hit), a.rays[i].direction);
-    return scatter(a.settings, {a.albedo.data()}, a.rays[i], hit, a.triangles[hit.prim], normal,
-                   a.materials[a.materialOf[hit.prim]], light, throughput, pixel, numbers.path, numbers.round);
+    const HitSurface point =
+        hitSurface(a.surfaces.arrays(), a.surfaces.parts, hit, hitTriangle(a, hit), a.rays[i].direction);
+    return scatter(a.settings, {a.albedo.data()}, a.rays[i], hit, a.triangles[hit.prim], point, light, throughput,
+                   pixel, numbers.path, numbers.round);
 }
 
 }  // namespace

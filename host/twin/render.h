@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "render/surface_data.h"
 #include "shared/picture_args.h"
 #include "shared/tone.h"
 
@@ -24,8 +25,7 @@ struct PictureArrays {
     Box bounds{};      // of the tree
     int exponent = 0;  // of the tree
     std::vector<Triangle> triangles;
-    std::vector<uint32_t> materialOf;
-    std::vector<Material> materials;
+    SurfaceData surfaces;
     std::vector<LightSource> lights;
     std::vector<SpecularAlbedo> albedo;
     ImageCamera camera{};

@@ -20,10 +20,10 @@ glm::vec3 colourOf(const PictureArrays& a, size_t i) {
             break;
     }
     if (hit.prim == kNone) return a.view == kViewShaded ? backgroundColour(a.rays[i].direction) : black;
-    const glm::vec3 normal = facingNormal(hitTriangle(a, hit), a.rays[i].direction);
-    if (a.view == kViewNormals) return normal * 0.5f + 0.5f;
-    const glm::vec3 base(a.materials[a.materialOf[hit.prim]].baseColour);
-    return shadedColour(base, normal, a.shadowHits[i].prim == kNone);
+    const glm::vec3& direction = a.rays[i].direction;
+    if (a.view == kViewNormals) return facingNormal(hitTriangle(a, hit), direction) * 0.5f + 0.5f;
+    const HitSurface point = hitSurface(a.surfaces.arrays(), a.surfaces.parts, hit, hitTriangle(a, hit), direction);
+    return shadedColour(point, a.shadowHits[i].prim == kNone);
 }
 
 }  // namespace

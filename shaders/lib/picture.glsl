@@ -11,6 +11,8 @@ layout(push_constant, scalar) uniform Push { PicturePush push; };
 #define args push.args.at
 #define state args.state.at
 
+#include "lib/surface.glsl"
+
 // The number of this invocation's ray; not below args.count: there is none.
 uint rayIndex() { return groupIndex() * kGroup + gl_LocalInvocationID.x; }
 

@@ -12,7 +12,11 @@ layout(constant_id = 2) const uint kTriangleTest = 0u;
 #include "cleave.glsl"
 #include "trace_push.glsl"
 
-layout(push_constant, scalar) uniform Push { CleaveTracePush push; };
+// CLEAVE_MORE_PUSH: what a kernel is given beside it.
+#ifndef CLEAVE_MORE_PUSH
+#define CLEAVE_MORE_PUSH
+#endif
+layout(push_constant, scalar) uniform Push { CleaveTracePush push; CLEAVE_MORE_PUSH };
 
 bool has(uint flag) { return (push.flags & flag) != 0u; }
 

@@ -20,6 +20,18 @@
 #define CLEAVE_COUNT_STEPS false
 #endif
 
+bool isAlwaysOpaque(uint number) { return true; }
+bool acceptsAll(uint number, float u, float v) { return true; }
+
+// Rays may look through triangles. Of a triangle that is not opaque, by the function of this name, a hit counts if the
+// other accepts it: it must say the same of the same hit of a ray, however often it is asked, and in any order.
+#ifndef CLEAVE_IS_OPAQUE
+#define CLEAVE_IS_OPAQUE isAlwaysOpaque
+#endif
+#ifndef CLEAVE_ACCEPTS
+#define CLEAVE_ACCEPTS acceptsAll
+#endif
+
 const float kWiden = 9.5367431640625e-07;  // 2^-20 = 16 u
 const float kLargeT = 3.0e38;
 const float kFar = 8.0;                 // rays that enter the root cell later than this are walked from there
@@ -224,6 +236,10 @@ bool testLeaf(TreeParts tree, ScaledRay ray, KdNode leaf, bool anyHit, inout Bes
         TreeTriangle t = triangleAt(tree, index);
         FilteredHit f = filtered(ray, t);
         if (f.misses || f.tLow > best.tHigh || f.tHigh < ray.tMin) continue;
+        if (!CLEAVE_IS_OPAQUE(t.number)) {
+            Hit h = decided(ray, t);
+            if (h.t == infinity() || !CLEAVE_ACCEPTS(t.number, h.u, h.v)) continue;
+        }
         bool closer = f.hits && f.tLow >= ray.tMin && f.tHigh < best.tLow;
         if (!closer) {
             bool catchesUp = best.tLow < best.tHigh && f.tHigh >= best.tLow;

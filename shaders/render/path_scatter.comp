@@ -12,9 +12,9 @@ PathStep stepOf(uint i, Ray ray, vec3 throughput) {
     uint pixel = pixelOf(i, args.camera.width, args.camera.height);
     LightSource light;
     if (args.settings.lightCount > 0u) light = args.lights.at[lightOf(args.settings, pixel, push.path, push.round)];
-    return scatter(args.settings, args.albedo, ray, hit, args.triangles.at[hit.prim],
-                   facingNormal(hitTriangle(hit), ray.direction), args.materials.at[args.materialOf.at[hit.prim]], light,
-                   throughput, pixel, push.path, push.round);
+    HitSurface point = hitSurface(surfaceArrays(), kParts, hit, hitTriangle(hit), ray.direction);
+    return scatter(args.settings, args.albedo, ray, hit, args.triangles.at[hit.prim], point, light, throughput, pixel,
+                   push.path, push.round);
 }
 
 void main() {

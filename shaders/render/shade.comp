@@ -18,10 +18,9 @@ vec3 colourOf(uint i) {
         return scaleColour(onScale(float(shownCount(args.view, args.steps.at[i])), scale.low, scale.high));
     }
     if (args.view == kViewDepth) return vec3(1.0 - 0.9 * onScale(hit.t, scale.low, scale.high));
-    vec3 normal = facingNormal(hitTriangle(hit), ray.direction);
-    if (args.view == kViewNormals) return 0.5 * normal + 0.5;
-    vec3 base = args.materials.at[args.materialOf.at[hit.prim]].baseColour.xyz;
-    return shadedColour(base, normal, args.shadowHits.at[i].prim == kNone);
+    if (args.view == kViewNormals) return 0.5 * facingNormal(hitTriangle(hit), ray.direction) + 0.5;
+    HitSurface point = hitSurface(surfaceArrays(), kParts, hit, hitTriangle(hit), ray.direction);
+    return shadedColour(point, args.shadowHits.at[i].prim == kNone);
 }
 
 void main() {

@@ -24,12 +24,6 @@ CLEAVE_FN float smithRoot(float alpha, float cosine) {
     return root;
 }
 
-CLEAVE_FN vec3 unitVector(vec3 v) {
-    float scale = 1.0f / sqrt(preciseDot(v, v));
-    precise vec3 unit = v * scale;
-    return unit;
-}
-
 // Both directions are above the horizon. The microfacet BRDF without its Fresnel factor is D * V,
 // V = G / (4 cos(v) cos(l)); see the specification.
 CLEAVE_FN float facetBrdf(float alpha, vec3 facet, vec3 viewer, vec3 light) {

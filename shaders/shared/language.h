@@ -20,6 +20,11 @@
 // The address of a device buffer; in GLSL a buffer_reference of the named type.
 #define CLEAVE_ADDRESS(Type) uint64_t
 #define precise
+// An array that functions of both languages read: in GLSL by its address, in C++ by a pointer.
+#define CLEAVE_TABLE(Name, Element) \
+    struct Name {                   \
+        const Element* at;          \
+    }
 
 namespace cleave {
 using glm::dvec3;
@@ -39,6 +44,7 @@ inline float sqrt(float x) { return std::sqrt(x); }
 inline double sqrt(double x) { return std::sqrt(x); }
 inline double powerOfTwo(int e) { return std::bit_cast<double>(static_cast<uint64_t>(e + 1023) << 52); }
 inline float pow(float x, float y) { return std::pow(x, y); }
+inline float floor(float x) { return std::floor(x); }
 inline float min(float a, float b) { return b < a ? b : a; }
 inline float max(float a, float b) { return a < b ? b : a; }
 inline uint min(uint a, uint b) { return b < a ? b : a; }
@@ -55,6 +61,8 @@ inline uint highestBit(uint x) { return 31u - static_cast<uint>(std::countl_zero
 #define CLEAVE_CONST const
 #define CLEAVE_SIZE(Type, bytes)
 #define CLEAVE_ADDRESS(Type) Type
+#define CLEAVE_TABLE(Name, Element) \
+    layout(buffer_reference, scalar, buffer_reference_align = 4) buffer Name { Element at[]; }
 uint lowestBit(uint x) { return uint(findLSB(x)); }
 uint highestBit(uint x) { return uint(findMSB(x)); }
 // e from -1022 to 1023.

@@ -1,11 +1,10 @@
 // One step of a path: from the hit of its ray to the light that is found there and the ray that goes on (Kajiya 1986).
 #ifndef CLEAVE_SHARED_PATH_H
 #define CLEAVE_SHARED_PATH_H
-#include "shade.h"
+#include "surface.h"
 
 #include "brdf.h"
 #include "light.h"
-#include "material.h"
 #include "random.h"
 
 CLEAVE_BEGIN
@@ -29,6 +28,12 @@ CLEAVE_CONST uint kDecideLight = 1u;
 CLEAVE_CONST uint kDecideDirection = 2u;
 CLEAVE_CONST uint kDecideEnd = 3u;
 CLEAVE_FN uint dimensionOf(uint bounce, uint decision) { return bounce * kDecisions + decision; }
+// Beside these, whether the ray that comes to a bounce, or leaves it for a light, finds a triangle that is seen
+// through.
+CLEAVE_FN float alphaChance(uint pixel, uint path, uint bounce, bool toLight, uint triangle) {
+    uint decision = pcg3d(uvec3(triangle, bounce, toLight ? 1u : 0u)).x | 0x80000000u;
+    return sampleNumber(pixel, path, decision);
+}
 
 // Where the sample of a pixel is in it; a single one is at its centre.
 CLEAVE_FN vec2 placeInPixel(uint samples, uint seed, uint pixel, uint path) {
@@ -88,20 +93,22 @@ CLEAVE_FN PathStep escape(PathSettings settings, Ray ray, vec3 throughput) {
     return endOfPath(throughput * skyRadiance(settings.sky, ray.direction));
 }
 
-// Of a path that hits a triangle of the world, whose normal in the scaled space of the tree is given, since there it
-// neither overflows nor vanishes. `light` is that of lightOf().
-CLEAVE_FN PathStep scatter(PathSettings settings, AlbedoTable table, Ray ray, Hit hit, Triangle world, vec3 normal,
-                           Material material, LightSource light, vec3 throughput, uint pixel, uint path, uint bounce) {
-    if ((material.flags & kMaterialUnlit) != 0u)
-        return endOfPath(throughput * vec3(material.baseColour.x, material.baseColour.y, material.baseColour.z));
-    PathStep s = endOfPath(throughput * material.emission);
+// Of a path that hits a triangle of the world, at `point`. `light` is that of lightOf().
+//
+// Directions are in the hemisphere of the shading normal and count if they leave the triangle too: beneath it there is
+// no light, however its corners or a map bend the normal.
+CLEAVE_FN PathStep scatter(PathSettings settings, AlbedoTable table, Ray ray, Hit hit, Triangle world, HitSurface point,
+                           LightSource light, vec3 throughput, uint pixel, uint path, uint bounce) {
+    vec3 baseColour = vec3(point.baseColour.x, point.baseColour.y, point.baseColour.z);
+    if ((point.flags & kMaterialUnlit) != 0u) return endOfPath(throughput * baseColour);
+    PathStep s = endOfPath(throughput * point.emission);
     if (bounce >= settings.bounces) return s;
 
     Surface surface;
-    surface.baseColour = vec3(material.baseColour.x, material.baseColour.y, material.baseColour.z);
-    surface.metallic = material.metallic;
-    surface.roughness = material.roughness;
-    Basis frame = basisAbout(normal);
+    surface.baseColour = baseColour;
+    surface.metallic = point.metallic;
+    surface.roughness = point.roughness;
+    Basis frame = basisAbout(point.normal);
     vec3 viewer = toLocal(frame, unitDirection(ray.direction) * -1.0f);
     viewer.z = max(viewer.z, kLeastCosine);
     vec3 origin = leavingOrigin(world, hit, ray.direction);
@@ -111,7 +118,8 @@ CLEAVE_FN PathStep scatter(PathSettings settings, AlbedoTable table, Ray ray, Hi
         vec3 u = sampleNumbers(pixel, seeded, dimensionOf(bounce, kDecideLight));
         Arrival arrival = arrivalFrom(light, origin, vec2(u.y, u.z));
         vec3 reflected = brdfTimesCosine(surface, table, viewer, toLocal(frame, arrival.towards));
-        s.direct = throughput * reflected * arrival.irradiance * float(settings.lightCount);
+        if (preciseDot(arrival.towards, point.facing) > 0.0f)
+            s.direct = throughput * reflected * arrival.irradiance * float(settings.lightCount);
         if (largestComponent(s.direct) > 0.0f) s.shadow = rayFrom(origin, arrival.towards, arrival.distance);
     }
 
@@ -119,14 +127,15 @@ CLEAVE_FN PathStep scatter(PathSettings settings, AlbedoTable table, Ray ray, Hi
         sampleBrdf(surface, table, viewer, sampleNumbers(pixel, seeded, dimensionOf(bounce, kDecideDirection)));
     vec3 carried = throughput * way.weight;
     float most = largestComponent(carried);
-    if (!(way.density > 0.0f) || !(most > 0.0f)) return s;
+    vec3 direction = toWorld(frame, way.direction);
+    if (!(way.density > 0.0f) || !(most > 0.0f) || !(preciseDot(direction, point.facing) > 0.0f)) return s;
     if (bounce >= kFirstRoulette) {
         float survival = min(most, kMostSurvival);
         if (sampleNumber(pixel, seeded, dimensionOf(bounce, kDecideEnd)) >= survival) return s;
         carried = carried * (1.0f / survival);
     }
     s.throughput = carried;
-    s.next = rayFrom(origin, toWorld(frame, way.direction), infinity());
+    s.next = rayFrom(origin, direction, infinity());
     return s;
 }
 

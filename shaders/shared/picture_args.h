@@ -7,7 +7,6 @@ CLEAVE_BEGIN
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 4) buffer PictureStateRef { PictureState at; };
-CLEAVE_ARRAY(Vec3Array, vec3);
 #endif
 
 // The arrays of a picture: name, element, its array in GLSL, how many. `n` is PictureCounts in render/picture_layout.h.
@@ -25,14 +24,14 @@ CLEAVE_ARRAY(Vec3Array, vec3);
     ROW(pixels, uint, UintArray, n.pixels)     /* R | G << 8 | B << 16 | A << 24, sRGB, row by row */
 
 #define CLEAVE_PICTURE_FIELD(name, Element, Array, count) CLEAVE_ADDRESS(Array) name;
+#define CLEAVE_SURFACE_FIELD(name, Element, Array, part) CLEAVE_ADDRESS(Array) name;
 
 struct PictureArgs {
     CLEAVE_PICTURE_ARRAYS(CLEAVE_PICTURE_FIELD)
     CLEAVE_ADDRESS(PictureStateRef) state;
     CLEAVE_ADDRESS(Tree) tree;
     CLEAVE_ADDRESS(TriangleArray) triangles;  // in world space, by number
-    CLEAVE_ADDRESS(UintArray) materialOf;     // by number
-    CLEAVE_ADDRESS(MaterialArray) materials;
+    CLEAVE_SURFACE_ARRAYS(CLEAVE_SURFACE_FIELD)
     CLEAVE_ADDRESS(LightArray) lights;   // for paths
     CLEAVE_ADDRESS(AlbedoTable) albedo;  // for paths
     ImageCamera camera;
@@ -43,7 +42,7 @@ struct PictureArgs {
     PathSettings settings;
     uint reserved;
 };
-CLEAVE_SIZE(PictureArgs, 320);
+CLEAVE_SIZE(PictureArgs, 368);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) buffer PictureArgsRef { PictureArgs at; };
@@ -57,6 +56,13 @@ struct PicturePush {
     uint path;  // the sample, from 0; of tone: how many there are
 };
 CLEAVE_SIZE(PicturePush, 16);
+
+// Of trace_alpha; `round` is the bounce that the rays come to or, of shadow rays, leave.
+struct SurfaceTracePush {
+    TracePush trace;
+    PicturePush picture;
+};
+CLEAVE_SIZE(SurfaceTracePush, 80);
 
 CLEAVE_END
 #endif

@@ -120,6 +120,12 @@ CLEAVE_FN float coneDensity(float height, vec3 direction) {
 }
 
 // A right-handed frame of unit vectors, in the world.
+CLEAVE_FN vec3 unitVector(vec3 v) {
+    float scale = 1.0f / sqrt(preciseDot(v, v));
+    precise vec3 unit = v * scale;
+    return unit;
+}
+
 struct Basis {
     vec3 x;
     vec3 y;

@@ -81,14 +81,6 @@ CLEAVE_FN Ray shadowRay(Ray r, Hit h, Triangle world) {
     return s;
 }
 
-// Linear light that a surface sends back.
-CLEAVE_FN vec3 shadedColour(vec3 baseColour, vec3 normal, bool lit) {
-    float sun = lit ? kSunLight * max(dotOf(normal, towardsSun()), 0.0f) : 0.0f;
-    vec3 ambient = mixed(vec3(0.16f, 0.15f, 0.14f), vec3(0.30f, 0.33f, 0.38f), 0.5f + 0.5f * normal.y);
-    return vec3(baseColour.x * (ambient.x + sun), baseColour.y * (ambient.y + sun * 0.97f),
-                baseColour.z * (ambient.z + sun * 0.90f));
-}
-
 // Linear light of the sky in a direction.
 CLEAVE_FN vec3 backgroundColour(vec3 direction) {
     Sky sky;

@@ -24,13 +24,7 @@ CLEAVE_CONST uint kAlbedoColumns = 48u;
 CLEAVE_CONST uint kAlbedoStride = kAlbedoColumns + 1u;
 CLEAVE_CONST float kLeastAlbedoRoot = 0.2f;  // of kLeastRoughness
 
-#ifdef __cplusplus
-struct AlbedoTable {
-    const SpecularAlbedo* at;
-};
-#else
-layout(buffer_reference, scalar, buffer_reference_align = 4) buffer AlbedoTable { SpecularAlbedo at[]; };
-#endif
+CLEAVE_TABLE(AlbedoTable, SpecularAlbedo);
 
 CLEAVE_FN SpecularAlbedo mixedAlbedo(SpecularAlbedo a, SpecularAlbedo b, float t) {
     precise float edge = a.edge + (b.edge - a.edge) * t;

@@ -56,7 +56,7 @@ std::vector<Triangle> floorSquare() {
 }
 
 Material surface(float albedo, float metallic, float roughness, float emission = 0.0f) {
-    return {{albedo, albedo, albedo, 1.0f}, vec3(emission), metallic, roughness, 0};
+    return plainMaterial({albedo, albedo, albedo, 1.0f}, vec3(emission), metallic, roughness, 0);
 }
 
 ImageCamera cameraAt(glm::dvec3 eye, glm::dvec3 look, glm::dvec3 up, double tangent, uint32_t size) {
@@ -87,11 +87,13 @@ std::vector<vec3> radiance(const std::vector<Triangle>& world, const Material& m
     const TriangleSet set = makeTriangleSet(world);
     const DeviceTriangles triangles(device(), world);
     const auto tree = uploadTree(device(), set, buildExact(set, BuildSettings{}));
-    const std::vector<uint32_t> materialOf(world.size(), 0);
-    const DeviceMaterials materials(device(), materialOf, {&material, 1});
+    SurfaceData data;
+    data.surfaceOf.assign(world.size(), 0);
+    data.materials = {material};
+    const DeviceSurfaces surfaces(device(), data);
     Tracer tracer(device());
     Renderer renderer(device(), tracer);
-    const Picture picture = renderer.render(*tree, triangles, materials, request);
+    const Picture picture = renderer.render(*tree, triangles, surfaces, request);
     EXPECT_EQ(picture.cappedRays, 0u);
     EXPECT_EQ(picture.samples, request.samples);
     return renderer.readRadiance();

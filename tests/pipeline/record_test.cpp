@@ -363,9 +363,10 @@ TEST(Record, PicturesGoOnWhereTheStepLimitEndedThem) {
     const TriangleSet set = makeTriangleSet(world);
     const DeviceTriangles triangles(device(), world);
     const auto tree = uploadTree(device(), set, buildExact(set, BuildSettings{}));
-    const std::vector<uint32_t> materialOf(world.size(), 0);
-    const std::vector<Material> made{{{0.8f, 0.5f, 0.2f, 1.0f}, {0.0f, 0.0f, 0.0f}, 0.0f, 1.0f, 0}};
-    const DeviceMaterials materials(device(), materialOf, made);
+    SurfaceData data;
+    data.surfaceOf.assign(world.size(), 0);
+    data.materials = {plainMaterial({0.8f, 0.5f, 0.2f, 1.0f}, vec3(0.0f), 0.0f, 1.0f, 0)};
+    const DeviceSurfaces surfaces(device(), data);
     PictureRequest request;
     request.camera.eye = {0.5, 0.5, 4.0};
     request.camera.forward = {0, 0, -1};
@@ -379,15 +380,15 @@ TEST(Record, PicturesGoOnWhereTheStepLimitEndedThem) {
     Renderer usual(device(), tracer), limited(device(), tracer, {.stepLimit = 9});
     for (const View view : {View::shaded, View::depth, View::normals}) {
         request.view = view;
-        const Picture want = usual.render(*tree, triangles, materials, request);
-        const Picture got = limited.render(*tree, triangles, materials, request);
+        const Picture want = usual.render(*tree, triangles, surfaces, request);
+        const Picture got = limited.render(*tree, triangles, surfaces, request);
         EXPECT_EQ(got.pixels, want.pixels);
         EXPECT_EQ(got.cappedRays, 0u);
         EXPECT_EQ(got.scaleHigh, want.scaleHigh);
     }
     // Hits are tile by tile, and those of their rays.
     request.view = View::normals;
-    usual.render(*tree, triangles, materials, request);
+    usual.render(*tree, triangles, surfaces, request);
     expectBruteForce(set, usual.readRays(), usual.readHits());
 }
 

@@ -18,6 +18,7 @@ struct LayoutRecord {
     Triangle triangle;
     TreeTriangle treeTriangle;
     Material material;
+    TextureMap textureMap;
     LightSource light;
     SpecularAlbedo albedo;
     PrimRef ref;
@@ -75,14 +76,16 @@ struct LayoutRecord {
     FLOAT(buildArgs.invBinCount) FLOAT(buildArgs.costs.traverse) FLOAT(buildArgs.costs.intersect)                \
     FLOAT(buildArgs.costs.leaf) FLOAT(buildArgs.costs.emptyBonus)                                                \
     ADDRESS(pictureArgs.state, PictureStateRef) ADDRESS(pictureArgs.tree, Tree)                                  \
-    ADDRESS(pictureArgs.triangles, TriangleArray) ADDRESS(pictureArgs.materialOf, UintArray)                     \
-    ADDRESS(pictureArgs.materials, MaterialArray) ADDRESS(pictureArgs.lights, LightArray)                        \
+    ADDRESS(pictureArgs.triangles, TriangleArray) ADDRESS(pictureArgs.surfaceOf, NumberArray)                    \
+    ADDRESS(pictureArgs.materials, MaterialArray) ADDRESS(pictureArgs.normals, Vec3Array)                        \
+    ADDRESS(pictureArgs.texels, TexelArray) ADDRESS(pictureArgs.lights, LightArray)                              \
     ADDRESS(pictureArgs.albedo, AlbedoTable) DOUBLE(pictureArgs.camera.pixel) UINT(pictureArgs.view)             \
     UINT(pictureArgs.count) UINT(pictureArgs.samples) FLOAT(pictureArgs.exposure)                                \
     FLOAT(pictureArgs.settings.sky.horizon.x) FLOAT(pictureArgs.settings.sky.zenith.z)                           \
     UINT(pictureArgs.settings.lightCount) UINT(pictureArgs.settings.bounces) UINT(pictureArgs.settings.seed)     \
     FLOAT(material.baseColour.x) FLOAT(material.emission.z) FLOAT(material.metallic) FLOAT(material.roughness)   \
-    UINT(material.flags)                                                                                         \
+    FLOAT(material.alphaCutoff) UINT(material.flags) UINT(material.emissionMap)                                  \
+    UINT(textureMap.first) UINT(textureMap.flags) FLOAT(textureMap.turn.w) FLOAT(textureMap.offset.y)            \
     FLOAT(light.position.x) UINT(light.kind) FLOAT(light.direction.y) FLOAT(light.capHeight)                     \
     FLOAT(light.intensity.z) FLOAT(light.range) FLOAT(light.cosInner) FLOAT(light.cosOuter)                      \
     FLOAT(albedo.edge) FLOAT(albedo.loss)                                                                        \

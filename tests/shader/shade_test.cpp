@@ -46,9 +46,20 @@ TEST(Shade, HandWorkedColours) {
     const Triangle t{{0, 0, 0}, {1e-20f, 0, 0}, {0, 1e-20f, 0}};
     EXPECT_EQ(facingNormal(t, {0, 0, 1}), glm::vec3(0, 0, -1));
     EXPECT_EQ(facingNormal(t, {0, 0, -1}), glm::vec3(0, 0, 1));
-    const glm::vec3 lit = shadedColour({1, 1, 1}, towardsSun(), true);
-    const glm::vec3 shadow = shadedColour({1, 1, 1}, towardsSun(), false);
-    EXPECT_NEAR(lit.x - shadow.x, kSunLight, 1e-6f);
+    HitSurface white{};
+    white.facing = white.normal = towardsSun();
+    white.baseColour = vec4(1.0f);
+    white.occlusion = 1.0f;
+    const vec3 shadow = shadedColour(white, false);
+    EXPECT_NEAR(shadedColour(white, true).x - shadow.x, kSunLight, 1e-6f);
+    white.occlusion = 0.0f;
+    white.emission = {0.0f, 0.5f, 0.0f};
+    EXPECT_EQ(shadedColour(white, false), vec3(0.0f, 0.5f, 0.0f));
+    white.normal.y = -white.normal.y;  // as corners bend it; the triangle itself turns away
+    white.facing = -white.facing;
+    EXPECT_EQ(shadedColour(white, true), vec3(0.0f, 0.5f, 0.0f)) << "the sun does not shine through a triangle";
+    white.flags = kMaterialUnlit;
+    EXPECT_EQ(shadedColour(white, true), vec3(1.0f));
 }
 
 }  // namespace cleave::test

@@ -8,7 +8,7 @@ namespace cleave::test {
 
 namespace {
 
-const PictureKernels& kernels() {
+PictureKernels& kernels() {
     static std::unique_ptr<PictureKernels> made;
     if (!made) {
         made = std::make_unique<PictureKernels>(pipelineHome());
@@ -31,6 +31,56 @@ ImageCamera cameraOf(uint32_t width, uint32_t height, uint32_t seed) {
     return c;
 }
 
+// Images of odd sizes, one after the other, picked from in every way.
+void addTextures(SurfaceData& data, std::mt19937& random) {
+    std::uniform_real_distribution<float> wide(-3.0f, 3.0f);
+    const uint32_t sizes[][2] = {{1, 1}, {7, 3}, {2, 16}, {5, 5}};
+    for (const auto& [width, height] : sizes) {
+        TextureMap map{};
+        map.first = static_cast<uint32_t>(data.texels.size());
+        map.width = width;
+        map.height = height;
+        map.turn = {wide(random), wide(random), wide(random), wide(random)};
+        map.offset = {wide(random), wide(random)};
+        for (const uint32_t flags : {0u, kMapSrgb | kMapClampS | kMapMirrorT, kMapNearest | kMapSecondSet | kMapMirrorS,
+                                     kMapAtOrigin | kMapSrgb | kMapClampT}) {
+            map.flags = flags;
+            data.maps.push_back(map);
+        }
+        for (uint32_t i = 0; i < width * height; i++) data.texels.push_back(static_cast<uint32_t>(random()));
+    }
+    const auto any = [&] { return random() % 4 == 0 ? kNone : static_cast<uint32_t>(random() % data.maps.size()); };
+    for (Material& m : data.materials) {
+        m.baseColourMap = any();
+        m.metallicRoughnessMap = any();
+        m.normalMap = any();
+        m.occlusionMap = any();
+        m.emissionMap = any();
+    }
+}
+
+SurfaceData surfacesFor(size_t triangles, uint32_t seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> unit(0.0f, 1.0f), wide(-3.0f, 3.0f);
+    SurfaceData data;
+    data.parts = seed % kPartVariants;
+    for (uint32_t i = 0; i < triangles; i++) data.surfaceOf.push_back(i % 3 | (random() % 2 == 0 ? kMirrored : 0u));
+    data.materials = {plainMaterial({1.0f, 0.5f, 0.25f, 1.0f}, vec3(0.0f), 0.0f, 0.9f, 0),
+                      plainMaterial({0.0f, 0.8f, 0.1f, 1.0f}, {0.5f, 2.0f, 0.0f}, 0.7f, 0.3f, 0),
+                      plainMaterial(vec4(0.3f), vec3(0.0f), 1.0f, 0.5f, seed % 2 * kMaterialUnlit)};
+    if (data.parts & kPartTextures) addTextures(data, random);
+    for (size_t i = 0; i < 3 * triangles; i++) {
+        const bool hasNormal = i / 3 % 5 != 0;
+        const vec3 normal = glm::normalize(vec3(wide(random), wide(random), wide(random)));
+        if (data.parts & kPartNormals) data.normals.push_back(hasNormal ? normal : vec3(0.0f));
+        if (data.parts & kPartColours) data.colours.emplace_back(unit(random), unit(random), unit(random), 1.0f);
+        if ((data.parts & kPartTextures) == 0) continue;
+        data.texCoords0.emplace_back(wide(random), wide(random));
+        data.texCoords1.emplace_back(wide(random), wide(random));
+    }
+    return data;
+}
+
 }  // namespace
 
 PicturePair::PicturePair(uint32_t width, uint32_t height, View view, uint32_t seed) {
@@ -45,9 +95,7 @@ PicturePair::PicturePair(uint32_t width, uint32_t height, View view, uint32_t se
     arrays.triangles = world;
     arrays.bounds = set.bounds;
     arrays.exponent = set.exponent;
-    arrays.materials = {{{1.0f, 0.5f, 0.25f, 1.0f}, {0.0f, 0.0f, 0.0f}, 0.0f, 0.9f, 0},
-                        {{0.0f, 0.8f, 0.1f, 1.0f}, {0.5f, 2.0f, 0.0f}, 0.7f, 0.3f, 0},
-                        {{0.3f, 0.3f, 0.3f, 1.0f}, {0.0f, 0.0f, 0.0f}, 1.0f, 0.5f, seed % 2 * kMaterialUnlit}};
+    arrays.surfaces = surfacesFor(world.size(), seed);
     arrays.lights = {
         {{0.0f, 3.0f, 0.0f}, kLightPoint, {0.0f, -1.0f, 0.0f}, 0.0f, {5.0f, 4.0f, 3.0f}, infinity(), 0, 0},
         {{30.0f, 0.0f, 9.0f}, kLightSpot, {0.0f, 0.0f, -1.0f}, 0.0f, {9.0f, 9.0f, 9.0f}, 200.0f, 0.9f, 0.1f},
@@ -55,7 +103,6 @@ PicturePair::PicturePair(uint32_t width, uint32_t height, View view, uint32_t se
     static const std::vector<SpecularAlbedo> kAlbedo = albedoTable();
     arrays.albedo = kAlbedo;
     arrays.settings = {{{0.9f, 0.8f, 0.7f}, {0.2f, 0.3f, 0.9f}}, 3, 4, seed};
-    for (uint32_t i = 0; i < world.size(); i++) arrays.materialOf.push_back(i % 3);
     arrays.camera = cameraOf(width, height, seed);
     arrays.view = static_cast<uint32_t>(view);
     const bool steps = countsSteps(view), walks = view == View::path, shadows = walks || view == View::shaded;
@@ -81,8 +128,7 @@ PicturePair::PicturePair(uint32_t width, uint32_t height, View view, uint32_t se
     arrays.pixels.resize(pixels);
 
     triangles_ = uploaded(device(), std::span<const Triangle>(arrays.triangles));
-    materialOf_ = uploaded(device(), std::span<const uint32_t>(arrays.materialOf));
-    materials_ = uploaded(device(), std::span<const Material>(arrays.materials));
+    surfaces_ = std::make_unique<DeviceSurfaces>(device(), arrays.surfaces);
     lights_ = uploaded(device(), std::span<const LightSource>(arrays.lights));
     albedo_ = uploaded(device(), std::span<const SpecularAlbedo>(arrays.albedo));
     TreeData tree{};
@@ -99,8 +145,7 @@ PictureArrays PicturePair::onDevice(PictureKernels::Pass pass, PassNumbers numbe
     PictureInfo info;
     info.tree = tree_.address();
     info.triangles = triangles_.address();
-    info.materialOf = materialOf_.address();
-    info.materials = materials_.address();
+    info.surfaces = surfaces_->addresses();
     info.lights = lights_.address();
     info.albedo = albedo_.address();
     info.samples = arrays.samples;
@@ -131,13 +176,14 @@ PictureArrays PicturePair::onDevice(PictureKernels::Pass pass, PassNumbers numbe
         both(result.pixels, at_.pixels, up);
     };
     all(true);
+    kernels().prepare(info);
     Commands commands(device());
     commands.begin();
     const uint32_t groups = pass == PictureKernels::select_count ? 1 : ceilDiv(args.count, kGroup);
     kernels()
         .recorder(commands.handle())
-        .dispatch(kernels()[pass], PicturePush{scratch.address() + at_.args.offset, numbers.round, numbers.path},
-                  groups);
+        .dispatch(kernels().of(pass, info),
+                  PicturePush{scratch.address() + at_.args.offset, numbers.round, numbers.path}, groups);
     commands.run();
     all(false);
     scratch.read(at_.state.offset, &result.state, sizeof(PictureState));

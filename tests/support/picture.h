@@ -3,6 +3,7 @@
 
 #include "render/cmd_render.h"
 #include "run/ranges.h"
+#include "run/renderer.h"
 #include "support/device.h"
 #include "support/scenes.h"
 #include "twin/render.h"
@@ -11,6 +12,7 @@ namespace cleave::test {
 
 class PicturePair {
   public:
+    // The seed also says which parts surfaces have: eight that follow one another have all there are.
     PicturePair(uint32_t width, uint32_t height, View view, uint32_t seed);
 
     PictureArrays arrays;  // the twin's
@@ -21,7 +23,8 @@ class PicturePair {
     void onTwin(PictureKernels::Pass pass, PassNumbers numbers = {});
 
   private:
-    Buffer triangles_, materialOf_, materials_, lights_, albedo_, tree_;
+    Buffer triangles_, lights_, albedo_, tree_;
+    std::unique_ptr<DeviceSurfaces> surfaces_;
     RangeBuffers scratch_;
     PictureLayout at_;
 };
