@@ -41,6 +41,11 @@ def sheet(rows, columns, point, wrap=(False, False)):
     return Shape(points, triangles)
 
 
+def flipped(shape):
+    """With its front where its back was."""
+    return shape._replace(triangles=[(a, c, b) for a, b, c in shape.triangles])
+
+
 def joined(*shapes):
     """One shape of many, all of which have the same attributes."""
     triangles, count = [], 0
@@ -99,7 +104,7 @@ def sphere(rows, columns):
     def point(u, v):
         theta, phi = math.pi * u, 2 * math.pi * v
         return [math.sin(theta) * math.sin(phi), 1 + math.cos(theta), math.sin(theta) * math.cos(phi)]
-    points, triangles = sheet(rows, columns, point, (False, True))[:2]
+    points, triangles = flipped(sheet(rows, columns, point, (False, True)))[:2]
     first, last = range(columns), range(rows * columns, (rows + 1) * columns)
     # The poles' rows of triangles without area are left away.
     return Shape(points, [t for t in triangles if sum(i in first for i in t) < 2 and sum(i in last for i in t) < 2])

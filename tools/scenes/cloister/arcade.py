@@ -4,7 +4,7 @@ import math
 from scenes.cloister.plan import (BACK, BAY, BAYS, COLUMNS, FLOOR, RADIUS, REACH, RIDGE, SIDES, SPRINGING, THICK, WALL_TOP,
                                   place)
 from scenes.masonry import arched_wall, block, half_circle, moulding, prism, ring_of_stones, slab, upright
-from scenes.shapes import joined, lathed, sheet, smoothed, without_slivers
+from scenes.shapes import flipped, joined, lathed, sheet, smoothed, without_slivers
 from scenes.vectors import quaternion
 
 COLUMN = SPRINGING - FLOOR  # height
@@ -83,7 +83,7 @@ def groin_vault(half_x, half_z, rise, steps=20):
         shape = without_slivers(sheet(steps, 1, point))
         if swapped != (sign > 0):
             return smoothed(shape)
-        return smoothed(shape._replace(triangles=[(a, c, b) for a, b, c in shape.triangles]))
+        return smoothed(flipped(shape))
     return joined(*(panel(swapped, sign) for swapped in (False, True) for sign in (1, -1)))
 
 

@@ -5,15 +5,15 @@ from scenes.shapes import box_mapped
 
 COLOURS = {  # linear red, green, blue; metallic; roughness
     "limestone leaf": (0.74, 0.67, 0.55, 0, 0.75),
-    "limestone": (0.8, 0.72, 0.59, 0, 0.75),
-    "rose stone": (0.58, 0.36, 0.26, 0, 0.75),
-    "plaster": (0.83, 0.68, 0.5, 0, 0.95),
-    "vault": (0.85, 0.8, 0.71, 0, 0.95),
-    "dado": (0.45, 0.2, 0.13, 0, 0.55),
-    "paving light": (0.62, 0.55, 0.45, 0, 0.7),
-    "paving warm": (0.56, 0.46, 0.35, 0, 0.7),
-    "paving grey": (0.47, 0.44, 0.4, 0, 0.65),
-    "paving dark": (0.38, 0.33, 0.28, 0, 0.65),
+    "limestone": (0.86, 0.78, 0.64, 0, 0.75),
+    "rose stone": (0.62, 0.38, 0.27, 0, 0.75),
+    "plaster": (0.92, 0.79, 0.61, 0, 0.95),
+    "vault": (0.88, 0.83, 0.74, 0, 0.95),
+    "dado": (0.52, 0.25, 0.17, 0, 0.55),
+    "paving light": (0.7, 0.62, 0.51, 0, 0.7),
+    "paving warm": (0.63, 0.52, 0.4, 0, 0.7),
+    "paving grey": (0.54, 0.51, 0.47, 0, 0.65),
+    "paving dark": (0.45, 0.39, 0.33, 0, 0.65),
     "meadow": (0.26, 0.25, 0.1, 0, 1.0),
     "mortar": (0.3, 0.26, 0.21, 0, 1.0),
     "cream marble": (0.8, 0.74, 0.63, 0, 0.24),
@@ -39,7 +39,8 @@ COLOURS = {  # linear red, green, blue; metallic; roughness
     "cypress": (0.035, 0.085, 0.025, 0, 0.9),
     "agave": (0.16, 0.3, 0.2, 0, 0.5),
 }
-THIN = ("leaf", "leaf young", "bract", "cypress", "limestone leaf")  # seen from both sides
+# Seen from both sides.
+THIN = ("tile", "tile pale", "tile dark", "leaf", "leaf young", "bract", "cypress", "limestone leaf")
 STONE = ("limestone", "rose stone", "plaster", "dado", "paving light", "paving warm", "paving grey", "paving dark",
          "pot")
 POLISHED = ("cream marble", "red marble")
@@ -54,7 +55,7 @@ class Materials:
         grain = spread(mixed((6, noise(256, 4, 1)), (6, noise(256, 16, 2)), (4, noise(256, 128, 3))))
         relief = mixed((6, noise(256, 16, 5)), (6, noise(256, 64, 6)), (4, noise(256, 128, 7)))
         wear = spread(mixed((8, noise(256, 8, 8)), (6, noise(256, 32, 9)), (2, noise(256, 128, 10))))
-        self.grain = g.texture(png(tinted(grain, (206, 203, 198), (255, 255, 255))))
+        self.grain = g.texture(png(tinted(grain, (222, 219, 214), (255, 255, 255))))
         self.relief = g.texture(png(normal_map(relief, 150)))
         self.wear = g.texture(png(tinted(wear, (0, 110, 0), (0, 255, 0))))
         self.numbers = {name: self.add(name, *values) for name, values in COLOURS.items()}
@@ -62,7 +63,7 @@ class Materials:
     def add(self, name, r, g, b, metallic, roughness):
         fields = {"doubleSided": True} if name in THIN else {}
         if name in STONE:
-            fields.update(texture=self.grain, normalTexture={"index": self.relief, "scale": 0.6})
+            fields.update(texture=self.grain, normalTexture={"index": self.relief, "scale": 0.4})
         if name in POLISHED:
             fields["surface"] = {"metallicRoughnessTexture": {"index": self.wear}}
         return self.g.material(name, r, g, b, metallic, roughness, **fields)

@@ -3,7 +3,7 @@ import math
 from random import Random
 
 from scenes.foliage import anywhere, clump, needle
-from scenes.shapes import joined, lathed, sheet, smoothed, sphere
+from scenes.shapes import flipped, joined, lathed, sheet, smoothed, sphere
 from scenes.vectors import added, quaternion, scaled, unit
 
 
@@ -54,7 +54,7 @@ def agave(g, materials):
             out, up = 0.04 + length * u * math.cos(steep), length * u * math.sin(steep)
             across, thick = width * math.cos(angle), 0.22 * width * math.sin(angle) - 0.5 * width * abs(math.cos(angle))
             return [out - thick * math.sin(steep), up + thick * math.cos(steep) + 0.02, across]
-        return smoothed(sheet(8, 6, point, (False, True))).turned(quaternion([0, 1, 0], math.degrees(turn)))
+        return smoothed(flipped(sheet(8, 6, point, (False, True)))).turned(quaternion([0, 1, 0], math.degrees(turn)))
     blades = [blade(2.39996 * i, 0.35 + 1.05 * i / 25, 0.62 - 0.008 * i) for i in range(26)]
     clay, soil = pot(0.27, 0.36)
     return g.mesh(materials.part(clay, "pot"), materials.part(soil, "soil"),

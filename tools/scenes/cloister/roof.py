@@ -52,7 +52,8 @@ def add_roof(g, materials):
             parts = zip(tile_column(rows, 100 * rows + variant), TONES)
             meshes[rows, variant] = g.mesh(*(materials.part(shape, tone) for shape, tone in parts if shape))
         return meshes[rows, variant]
-    deck = moulding([(FIRST - 0.02, EAVES - 0.03), (FIRST - 0.02, EAVES), (REACH - BACK, RIDGE)], REACH)
+    deck = moulding([(0.3, EAVES - 0.03), (FIRST - 0.02, EAVES - 0.03), (FIRST - 0.02, EAVES), (REACH - BACK, RIDGE)],
+                    REACH)
     deck = g.mesh(materials.part(deck, "tile dark"))
     random = Random(7)
     columns = int(BACK / SPACING)
