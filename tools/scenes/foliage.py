@@ -19,7 +19,8 @@ def leaf(foot, along, facing, length, width, fold=0.25):
     up = cross(side, along)
 
     def at(far, across, high):
-        return added(foot, added(scaled(along, length * far), added(scaled(side, width * across), scaled(up, width * high))))
+        beside = added(scaled(side, width * across), scaled(up, width * high))
+        return added(foot, added(scaled(along, length * far), beside))
     points = [at(0, 0, 0), at(0.45, 0.5, fold), at(1, 0, 0), at(0.45, -0.5, fold), at(0.5, 0, 0)]
     return Shape(points, [(0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)])
 

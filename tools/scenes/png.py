@@ -1,5 +1,5 @@
-"""Pictures of few colours as PNG files: a palette, and pixels that are not packed, since zlib packs differently from one
-version to the next."""
+"""Pictures of few colours as PNG files: a palette, and pixels that are not packed, since zlib packs differently from
+one version to the next."""
 import struct
 import zlib
 
@@ -11,7 +11,8 @@ def chunk(kind, data):
 def stored(data):
     """A zlib stream of blocks that are stored as they are."""
     blocks = [data[i:i + 65535] for i in range(0, len(data), 65535)]
-    body = b"".join(struct.pack("<BHH", i == len(blocks) - 1, len(b), len(b) ^ 0xFFFF) + b for i, b in enumerate(blocks))
+    body = b"".join(struct.pack("<BHH", i == len(blocks) - 1, len(block), len(block) ^ 0xFFFF) + block
+                    for i, block in enumerate(blocks))
     return b"\x78\x01" + body + struct.pack(">I", zlib.adler32(data))
 
 

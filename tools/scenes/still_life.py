@@ -2,7 +2,7 @@
 import math
 
 from scenes.gltf import Gltf
-from scenes.shapes import box, flipped, joined, quad, sphere, torus_knot, turned
+from scenes.shapes import box, joined, quad, sphere, torus_knot, turned
 
 
 def checkers(tiles, size):
@@ -37,8 +37,7 @@ def still_life():
     for i in range(7):
         angle = math.radians(-170 + 23.5 * i)
         g.node(mesh=column, translation=[round(5.6 * math.cos(angle), 4), 0, round(5.6 * math.sin(angle), 4)])
-    # Inside out, as it was before renderers told fronts from backs: figures and pictures of this file stay true.
-    ball = g.geometry(flipped(sphere(40, 80)))
+    ball = g.geometry(sphere(40, 80))
     balls = (("red", (0.75, 0.09, 0.07), 2.9, 2.6, 0.95), ("blue", (0.07, 0.22, 0.62), -3.3, 1.5, 0.8),
              ("teal", (0.05, 0.48, 0.45), -2.1, 3.5, 0.5), ("white", (0.85, 0.85, 0.83), 0.5, 3.9, 0.4),
              ("plum", (0.38, 0.10, 0.38), 4.5, 0.4, 0.6))

@@ -1,8 +1,8 @@
 """The arcade: columns, arches, vaults, the wall behind, the cornice above."""
 import math
 
-from scenes.cloister.plan import (BACK, BAY, BAYS, COLUMNS, FLOOR, RADIUS, REACH, RIDGE, SIDES, SPRINGING, THICK, WALL_TOP,
-                                  place)
+from scenes.cloister.plan import (BACK, BAY, BAYS, COLUMNS, FLOOR, RADIUS, REACH, RIDGE, SIDES, SPRINGING, THICK,
+                                  WALL_TOP, place)
 from scenes.masonry import arched_wall, block, half_circle, moulding, prism, ring_of_stones, slab, upright
 from scenes.shapes import flipped, joined, lathed, sheet, smoothed, without_slivers
 from scenes.vectors import quaternion

@@ -26,7 +26,8 @@ def door(g, materials):
     for k in range(5):
         wide = HALF + 0.20 + 0.10 * (k % 2)
         for left, right in ((-wide, -HALF), (HALF, wide)):
-            jambs.append(prism(rectangle(left, k * course + 0.004, right, (k + 1) * course - 0.004), -0.02, 0.14, 0.012))
+            stone = rectangle(left, k * course + 0.004, right, (k + 1) * course - 0.004)
+            jambs.append(prism(stone, -0.02, 0.14, 0.012))
     straps = [prism(rectangle(-HALF + 0.02, y - 0.035, HALF - 0.02, y + 0.035), 0.06, 0.09, 0.004) for y in (0.4, 1.45)]
     nails = [prism(rectangle(x - 0.018, y - 0.018, x + 0.018, y + 0.018), 0.08, 0.105, 0.01)
              for y in (0.4, 1.45) for x in (HALF * (2 * (i + 0.5) / PLANKS - 1) for i in range(PLANKS))]

@@ -12,7 +12,8 @@ def pot(radius, height, columns=36):
     foot = 0.68 * radius
     body = [(foot + (radius - foot) * (i / 6) ** 0.8, 0.85 * height * i / 6) for i in range(7)]
     rim, top = 1.08 * radius, height
-    clay = lathed([body, [body[-1], (rim, 0.86 * height)], [(rim, 0.86 * height), (1.01 * rim, 0.93 * height), (rim, top)],
+    clay = lathed([body, [body[-1], (rim, 0.86 * height)],
+                   [(rim, 0.86 * height), (1.01 * rim, 0.93 * height), (rim, top)],
                    [(rim, top), (0.9 * radius, top)], [(0.9 * radius, top), (0.88 * radius, 0.8 * height)]], columns)
     soil = lathed([[(0.9 * radius, 0.9 * height), (0, 0.93 * height)]], columns // 2)
     return clay, soil

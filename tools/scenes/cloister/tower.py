@@ -16,8 +16,8 @@ def add_tower(g, materials):
     front = arched_wall(2 * HALF, BELFRY - 0.02, SPRINGING, 0.75, 13.7, 0.5, 20)
     flank = arched_wall(2 * HALF - 1, BELFRY - 0.02, SPRINGING, 0.75, 13.7, 0.5, 20)
     quarter = quaternion([0, 1, 0], 90)
-    walls = [front.moved(0, 0, HALF - 0.25), front.moved(0, 0, 0.25 - HALF), flank.moved(0, 0, HALF - 0.25).turned(quarter),
-             flank.moved(0, 0, 0.25 - HALF).turned(quarter)]
+    walls = [front.moved(0, 0, HALF - 0.25), front.moved(0, 0, 0.25 - HALF),
+             flank.moved(0, 0, HALF - 0.25).turned(quarter), flank.moved(0, 0, 0.25 - HALF).turned(quarter)]
     lid = [block(HALF + 0.12, 13.68, 13.86, 0.03), block(HALF + 0.28, 13.86, 14.05, 0.04)]
     courses = 14
     eaves = (HALF + 0.5) * math.sqrt(2)
