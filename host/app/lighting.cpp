@@ -75,7 +75,8 @@ LightSource sun() {
 }  // namespace
 
 float lampBrightness(const gltf::Material& material) {
-    return material.unlit || decorates(material) ? 0.0f : brightnessOf(material.emissive * material.emissiveStrength);
+    if (material.unlit || decorates(material)) return 0.0f;
+    return std::min(brightnessOf(material.emissive * material.emissiveStrength), kLargestFloat);
 }
 
 Lighting lightingOf(const Scene& scene, const PosedScene& posed) {

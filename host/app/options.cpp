@@ -308,7 +308,7 @@ void addReport(CLI::App& app, Options& options) {
     app.add_option("SCENE", options.scenes, ".gltf or .glb, one or more")->type_name("FILE")->required();
     app.add_option("-o,--output", options.output, "the folder of index.html and report.json (report)")
         ->type_name("FOLDER");
-    app.add_flag("--quick", options.quick, "builders at their defaults only, fewer rays and 2 runs");
+    app.add_flag("--quick", options.quick, "builders at their defaults only, fewer rays, smaller pictures and 2 runs");
     app.add_flag("--peers", options.peers, "other ray tracers, too, on the same rays");
     addWhole(app, "--runs", "median of so many runs (5; quick: 2)", options.runs, 1, 10000);
     addWhole(app, "--check", "judge so many rays of each kind by the reference", options.check, 1, uint64_t{1} << 32);

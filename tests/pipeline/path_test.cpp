@@ -96,6 +96,7 @@ std::vector<vec3> radiance(const std::vector<Triangle>& world, const std::vector
     data.surfaceOf.assign(world.size(), 0);
     std::fill(data.surfaceOf.begin() + static_cast<ptrdiff_t>(std::min(second, world.size())), data.surfaceOf.end(), 1);
     data.materials = made;
+    for (const Material& material : made) data.hasAlpha = data.hasAlpha || !isOpaque(material);
     const DeviceSurfaces surfaces(device(), data);
     Tracer tracer(device());
     Renderer renderer(device(), tracer);
@@ -329,6 +330,29 @@ TEST(Paths, LookingForLampsChangesNoMean) {
             EXPECT_NEAR(difference.value, 0.0, 4.0 * difference.error);
             EXPECT_LT(difference.error, 0.02 * meanOf(found).value);
         }
+}
+
+// A lamp that three of ten rays find is three tenths as bright, however it is found.
+TEST(Paths, TranslucentLampsShineByTheirAlpha) {
+    const Material floor = surface(0.6f, 0.0f, 1.0f);
+    Material shining = surface(0.0f, 0.0f, 1.0f, 3.0f);
+    std::vector<Triangle> world = floorSquare();
+    const size_t first = world.size();
+    for (const Triangle& t : lamp(0.4f, 0.5f)) world.push_back(t);
+    PictureRequest request = requestOf(cameraAt({0.1, 0.4, 0.2}, {0.1, 0, 0.2}, {0, 0, 1}, 0.001, 32), 64, 1);
+    const double opaque = 3.0 * reflectedOfLamp(floor, 0.4f, 0.5f, {0.1, 0.0, 0.2});
+    shining.baseColour.w = 0.3f;
+    for (const bool masked : {false, true}) {
+        shining.flags = masked ? kMaterialMask : kMaterialBlend;
+        const double expected = masked ? 0.0 : 0.3 * opaque;
+        request.lighting = {};
+        for (const bool looks : {false, true}) {
+            if (looks) lookFor(request, world, first, shining);
+            const Mean mean = meanOf(radiance(world, {floor, shining}, first, request));
+            std::printf("seed %u: %.5f, standard error %.5f, expected %.5f\n", kSeed, mean.value, mean.error, expected);
+            EXPECT_NEAR(mean.value, expected, 4.0 * mean.error + 1e-4 * expected);
+        }
+    }
 }
 
 // Where everything shines, nothing is counted twice.
