@@ -21,6 +21,7 @@ struct PictureArrays {
     std::vector<Hit> shadowHits;
     std::vector<vec3> throughput, direct, radiance;
     std::vector<float> density;
+    std::vector<uint32_t> paths, shadowPaths;
     std::vector<vec4> unlit;
     std::vector<uint32_t> pixels;
     PictureState state{};

@@ -1,8 +1,9 @@
 #version 460
 // Takes each path one surface further: what it finds there, the ray to a light, the ray that goes on. An invocation per
-// path.
+// path. Rays that there are come first among those of their workgroup, so that tracing them has full lanes.
 #extension GL_GOOGLE_include_directive : require
 #include "lib/picture.glsl"
+#include "lib/packed_place.glsl"
 
 layout(local_size_x = kGroup) in;
 
@@ -27,34 +28,44 @@ ChosenLight lightFor(uint pixel) {
     return light;
 }
 
-PathStep stepOf(uint i, Ray ray, vec3 throughput, float density) {
-    Hit hit = args.hits.at[i];
+PathStep stepOf(uint path, Hit hit, Ray ray, vec3 throughput, float density) {
     if (hit.prim == kNone) return escape(args.settings, ray, throughput);
-    uint pixel = pixelOf(i, args.camera.width, args.camera.height);
+    uint pixel = pixelOf(path, args.camera.width, args.camera.height);
     HitSurface point = hitSurface(surfaceArrays(), kParts, hit, hitTriangle(hit), ray.direction);
     return scatter(args.settings, args.albedo, ray, hit, args.triangles.at[hit.prim], point, lightFor(pixel), throughput,
                    density, pixel, push.path, push.round);
 }
 
+// Adds what a path found to its pixel's sums, which begin with the first path.
+void gather(uint path, PathStep s, bool begins) {
+    vec3 before = begins ? vec3(0.0) : args.radiance.at[path];
+    args.radiance.at[path] = s.unlit ? before : before + s.found;
+    if (begins) args.unlit.at[path] = vec4(0.0);
+    if (s.unlit) args.unlit.at[path] = args.unlit.at[path] + vec4(s.found, 1.0);
+}
+
 void main() {
     uint i = rayIndex();
-    if (i >= args.count) return;
+    bool exists = i < args.count;
     bool first = push.round == 0u;
-    Ray ray = args.rays.at[i];
+    uint path = i;
     PathStep s = endOfPath(vec3(0.0));
-    if (first) {
-        s = stepOf(i, ray, vec3(1.0), 0.0);
-    } else if (!isNoRay(ray)) {
-        s = stepOf(i, ray, args.throughput.at[i], args.density.at[i]);
+    if (exists) {
+        if (!first) path = args.paths.at[i];
+        Ray ray = args.rays.at[i];
+        if (first) s = stepOf(path, args.hits.at[i], ray, vec3(1.0), 0.0);
+        else if (!isNoRay(ray)) s = stepOf(path, args.hits.at[i], ray, args.throughput.at[i], args.density.at[i]);
+        gather(path, s, first && push.path == 0u);
     }
-    bool none = first && push.path == 0u;
-    vec3 before = none ? vec3(0.0) : args.radiance.at[i];
-    args.radiance.at[i] = s.unlit ? before : before + s.found;
-    if (none) args.unlit.at[i] = vec4(0.0);
-    if (s.unlit) args.unlit.at[i] = args.unlit.at[i] + vec4(s.found, 1.0);
-    args.direct.at[i] = s.direct;
-    args.shadowRays.at[i] = s.shadow;
-    args.throughput.at[i] = s.throughput;
-    args.density.at[i] = s.density;
-    args.rays.at[i] = s.next;
+    uint begin = i - gl_LocalInvocationID.x;
+    uint at = begin + packedPlace(!isNoRay(s.next));
+    uint shadowAt = begin + packedPlace(!isNoRay(s.shadow));
+    if (!exists) return;
+    args.rays.at[at] = s.next;
+    args.paths.at[at] = path;
+    args.throughput.at[at] = s.throughput;
+    args.density.at[at] = s.density;
+    args.shadowRays.at[shadowAt] = s.shadow;
+    args.shadowPaths.at[shadowAt] = path;
+    args.direct.at[shadowAt] = s.direct;
 }

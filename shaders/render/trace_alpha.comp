@@ -37,7 +37,9 @@ bool findsSurface(uint number, float u, float v) {
     bool backCounts = seesBothSides() || (material.flags & kMaterialSingleSided) == 0u;
     if (!backCounts && !comesToFront(surfaces, number, args.triangles.at[number], args.rays.at[ray].direction))
         return false;
-    uint pixel = pixelOf(ray, args.camera.width, args.camera.height);
+    uint path = ray;
+    if (args.view == kViewPath && seesBothSides()) path = kAnyHit ? args.shadowPaths.at[ray] : args.paths.at[ray];
+    uint pixel = pixelOf(path, args.camera.width, args.camera.height);
     Hit hit;
     hit.t = 0.0;
     hit.prim = number;

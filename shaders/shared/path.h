@@ -47,22 +47,11 @@ struct PathStep {
     vec3 found;       // radiance that reaches the camera from here
     bool unlit;       // `found` is the colour of an unlit surface that the camera sees
     vec3 direct;      // and that which does if nothing is met on the shadow ray
-    Ray shadow;       // a point, where there is no light to look for
+    Ray shadow;       // none, where there is no light to look for
     vec3 throughput;  // of what the next ray finds
     float density;    // of its direction, per solid angle
-    Ray next;         // a point, where the path ends
+    Ray next;         // none, where the path ends
 };
-
-// A ray that meets nothing and costs nothing.
-CLEAVE_FN Ray noRay() {
-    Ray r;
-    r.origin = vec3(0.0f, 0.0f, 0.0f);
-    r.direction = vec3(0.0f, 0.0f, 1.0f);
-    r.tMin = 0.0f;
-    r.tMax = 0.0f;
-    return r;
-}
-CLEAVE_FN bool isNoRay(Ray r) { return r.tMax == 0.0f; }
 
 CLEAVE_FN Ray rayFrom(vec3 origin, vec3 direction, float tMax) {
     Ray r;

@@ -68,13 +68,24 @@ CLEAVE_FN vec3 leavingOrigin(Triangle world, Hit h, vec3 direction) {
     return origin;
 }
 
-// Makes a ray from the hit on a triangle of the world towards the sun. Where there is no hit its interval is a point,
-// so that it costs nothing.
+// A ray in the place of none. It begins beyond any scene, so that its walk ends where it would enter the root: a ray that
+// ends where it begins, in the scene, would still descend to a leaf.
+CLEAVE_FN Ray noRay() {
+    Ray r;
+    r.origin = vec3(0.0f, 0.0f, 0.0f);
+    r.direction = vec3(0.0f, 0.0f, 1.0f);
+    r.tMin = 1.0e30f;
+    r.tMax = 1.0e30f;
+    return r;
+}
+// Rays from surfaces begin at 0.
+CLEAVE_FN bool isNoRay(Ray r) { return r.tMin > 0.0f; }
+
+// Makes a ray from the hit on a triangle of the world towards the sun; none where there is no hit.
 CLEAVE_FN Ray shadowRay(Ray r, Hit h, Triangle world) {
-    Ray s = r;
+    if (h.prim == kNone) return noRay();
+    Ray s;
     s.tMin = 0.0f;
-    s.tMax = 0.0f;
-    if (h.prim == kNone) return s;
     s.origin = leavingOrigin(world, h, r.direction);
     s.direction = towardsSun();
     s.tMax = infinity();

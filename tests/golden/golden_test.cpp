@@ -52,10 +52,11 @@ void expectGolden(const std::string& name, const std::string& arguments) {
 
 }  // namespace
 
+TEST(Golden, ShadedStillLife) { expectGolden("still_life", "still_life.glb"); }
 TEST(Golden, ShadedDefaultScene) { expectGolden("default", "default.glb"); }
 TEST(Golden, ShadedCornell) { expectGolden("cornell", "cornell.glb"); }
 TEST(Golden, Normals) { expectGolden("shells_normals", "shells.glb --view normals"); }
 TEST(Golden, Depth) { expectGolden("stack_depth", "stack.glb --view depth"); }
 TEST(Golden, Steps) { expectGolden("cornell_steps", "cornell.glb --view steps --traversal restart"); }
-TEST(Golden, Leaves) { expectGolden("default_leaves", "default.glb --view leaves"); }
+TEST(Golden, Leaves) { expectGolden("still_life_leaves", "still_life.glb --view leaves"); }
 TEST(Golden, Empty) { expectGolden("empty", "empty.gltf"); }

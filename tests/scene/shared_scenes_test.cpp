@@ -126,14 +126,37 @@ TEST(SharedScenes, oneSphereInManyEncodingsIsOneSphere) {
 TEST(OwnScenes, areAsTheirReadmeSays) {
     const fs::path folder = fs::path(CLEAVE_SOURCE) / "scenes";
     const std::vector<std::pair<const char*, size_t>> expected = {
-        {"default.glb", 68016}, {"cornell.glb", 36},  {"grid.glb", 480},  {"triangle.gltf", 1},
-        {"empty.gltf", 0},      {"needles.glb", 128}, {"shells.glb", 96}, {"stack.glb", 1000}};
+        {"default.glb", 255510}, {"still_life.glb", 68016}, {"cornell.glb", 36},
+        {"grid.glb", 480},       {"triangle.gltf", 1},      {"empty.gltf", 0},
+        {"needles.glb", 128},    {"shells.glb", 96},        {"stack.glb", 1000}};
     for (const auto& [name, triangles] : expected) {
         const PosedScene scene = posed(loadGltf(folder / name));
         EXPECT_EQ(scene.triangles.size(), triangles) << name;
         EXPECT_TRUE(scene.warnings.empty()) << name;
     }
-    EXPECT_EQ(pose(loadGltf(folder / "default.glb")).cameras.at(0).name, "main");
+    for (const char* name : {"default.glb", "still_life.glb"})
+        EXPECT_EQ(pose(loadGltf(folder / name)).cameras.at(0).name, "main") << name;
+    for (const Triangle& t : pose(loadGltf(folder / "default.glb")).triangles) {
+        const glm::dvec3 a(t.a);
+        const glm::dvec3 n = glm::cross(glm::dvec3(t.b) - a, glm::dvec3(t.c) - a);
+        ASSERT_GT(glm::dot(n, n), 0.0);
+    }
+}
+
+TEST(OwnScenes, ofFeaturesAreReadWithoutWarnings) {
+    size_t files = 0;
+    for (const auto& entry : fs::directory_iterator(fs::path(CLEAVE_SOURCE) / "scenes" / "features")) {
+        SCOPED_TRACE(entry.path().filename());
+        const Scene scene = loadGltf(entry.path());
+        EXPECT_TRUE(scene.warnings.empty());
+        const PosedScene start = posed(scene);
+        EXPECT_TRUE(start.warnings.empty());
+        EXPECT_FALSE(start.triangles.empty());
+        ASSERT_EQ(start.cameras.size(), 1u);
+        EXPECT_EQ(start.cameras[0].name, "main");
+        ++files;
+    }
+    EXPECT_EQ(files, 13u);
 }
 
 }  // namespace

@@ -13,9 +13,11 @@ TEST(PathGather, EqualsTwinAtEverySize) {
         const std::vector<vec3> device = pair.onDevice(PictureKernels::path_gather).radiance;
         pair.onTwin(PictureKernels::path_gather);
         EXPECT_EQ(device, pair.arrays.radiance);
-        for (size_t i = 0; i < before.size(); i++)
-            EXPECT_EQ(device[i] != before[i], pair.arrays.shadowHits[i].prim == kNone)
+        for (size_t i = 0; i < before.size(); i++) {
+            const uint32_t path = pair.arrays.shadowPaths[i];
+            EXPECT_EQ(device[path] != before[path], pair.arrays.shadowHits[i].prim == kNone)
                 << "what is in shadow gains nothing";
+        }
     }
 }
 

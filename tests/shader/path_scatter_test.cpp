@@ -14,6 +14,37 @@ bool isNear(const vec3& a, const vec3& b) {
     return true;
 }
 
+// What a pass left for a path, wherever its rays are.
+struct Goal {
+    Ray ray, shadow;
+    vec3 throughput, direct;
+    float density;
+};
+
+std::vector<Goal> goals(const PictureArrays& a) {
+    std::vector<Goal> all(a.rays.size());
+    for (size_t i = 0; i < all.size(); i++) {
+        Goal &path = all.at(a.paths[i]), &shadow = all.at(a.shadowPaths[i]);
+        path.ray = a.rays[i];
+        path.throughput = a.throughput[i];
+        path.density = a.density[i];
+        shadow.shadow = a.shadowRays[i];
+        shadow.direct = a.direct[i];
+    }
+    return all;
+}
+
+// Each workgroup has its own paths, once each, those with a ray first.
+void expectPacked(const std::vector<Ray>& rays, std::vector<uint32_t> paths) {
+    for (size_t begin = 0; begin < rays.size(); begin += kGroup) {
+        const size_t end = std::min<size_t>(begin + kGroup, rays.size());
+        for (size_t i = begin + 1; i < end; i++)
+            EXPECT_FALSE(isNoRay(rays[i - 1]) && !isNoRay(rays[i])) << "a ray at " << i << " after none";
+        std::sort(paths.begin() + static_cast<long>(begin), paths.begin() + static_cast<long>(end));
+        for (size_t i = begin; i < end; i++) EXPECT_EQ(paths[i], i);
+    }
+}
+
 }  // namespace
 
 TEST(PathScatter, EqualsTwinAtEverySizeAndBounce) {
@@ -26,19 +57,21 @@ TEST(PathScatter, EqualsTwinAtEverySizeAndBounce) {
             const PictureArrays device = pair.onDevice(PictureKernels::path_scatter, numbers);
             pair.onTwin(PictureKernels::path_scatter, numbers);
             const PictureArrays& twin = pair.arrays;
+            const std::vector<Goal> onDevice = goals(device), onTwin = goals(twin);
             size_t other = 0;
             for (size_t i = 0; i < device.rays.size(); i++) {
-                const bool same = isNear(device.radiance[i], twin.radiance[i]) &&
-                                  isNear(vec3(device.unlit[i]), vec3(twin.unlit[i])) &&
-                                  device.unlit[i].w == twin.unlit[i].w && isNear(device.direct[i], twin.direct[i]) &&
-                                  isNear(device.throughput[i], twin.throughput[i]) &&
-                                  isNear(vec3(device.density[i]), vec3(twin.density[i])) &&
-                                  isNear(device.rays[i].origin, twin.rays[i].origin) &&
-                                  isNear(device.rays[i].direction, twin.rays[i].direction) &&
-                                  isNear(device.shadowRays[i].direction, twin.shadowRays[i].direction) &&
-                                  device.rays[i].tMax == twin.rays[i].tMax;
+                const Goal &got = onDevice[i], &want = onTwin[i];
+                const bool same =
+                    isNear(device.radiance[i], twin.radiance[i]) &&
+                    isNear(vec3(device.unlit[i]), vec3(twin.unlit[i])) && device.unlit[i].w == twin.unlit[i].w &&
+                    isNear(got.direct, want.direct) && isNear(got.throughput, want.throughput) &&
+                    isNear(vec3(got.density), vec3(want.density)) && isNear(got.ray.origin, want.ray.origin) &&
+                    isNear(got.ray.direction, want.ray.direction) &&
+                    isNear(got.shadow.direction, want.shadow.direction) && got.ray.tMax == want.ray.tMax;
                 other += same ? 0 : 1;
             }
+            expectPacked(device.rays, device.paths);
+            expectPacked(device.shadowRays, device.shadowPaths);
             EXPECT_LE(other * 1000, device.rays.size()) << other << " of " << device.rays.size();
         }
     }
@@ -60,12 +93,14 @@ TEST(PathScatter, LeavesEndedPathsAlone) {
     PicturePair pair(64, 1, View::path, 3);
     const PictureArrays before = pair.arrays;
     pair.onTwin(PictureKernels::path_scatter, {1, 0});
+    const std::vector<Goal> after = goals(pair.arrays);
     size_t ended = 0;
     for (size_t i = 0; i < before.rays.size(); i++) {
         if (!isNoRay(before.rays[i])) continue;
         ++ended;
-        EXPECT_EQ(pair.arrays.radiance[i], before.radiance[i]);
-        EXPECT_EQ(pair.arrays.direct[i], vec3(0.0f));
+        const uint32_t path = before.paths[i];
+        EXPECT_EQ(pair.arrays.radiance[path], before.radiance[path]);
+        EXPECT_EQ(after[path].direct, vec3(0.0f));
     }
     EXPECT_GT(ended, 0u);
 }

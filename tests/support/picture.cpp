@@ -129,6 +129,10 @@ PicturePair::PicturePair(uint32_t width, uint32_t height, View view, uint32_t se
         arrays.density.push_back(2.0f * unit(random));
         arrays.direct.emplace_back(unit(random), unit(random), unit(random));
         if (i % 7 == 6) arrays.rays[i] = noRay();
+        // Each workgroup has its paths in some order; here the shadow rays' is reversed.
+        const uint32_t begin = i - i % kGroup, last = std::min(begin + kGroup, pixels) - 1;
+        arrays.paths.push_back(i == last ? begin : i + 1);
+        arrays.shadowPaths.push_back(last - (i - begin));
     }
     arrays.pixels.resize(pixels);
 
@@ -179,6 +183,8 @@ PictureArrays PicturePair::onDevice(PictureKernels::Pass pass, PassNumbers numbe
         both(result.shadowHits, at_.shadowHits, up);
         both(result.throughput, at_.throughput, up);
         both(result.density, at_.density, up);
+        both(result.paths, at_.paths, up);
+        both(result.shadowPaths, at_.shadowPaths, up);
         both(result.direct, at_.direct, up);
         both(result.radiance, at_.radiance, up);
         both(result.unlit, at_.unlit, up);
