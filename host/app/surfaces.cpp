@@ -106,8 +106,7 @@ class Surfaces {
 
     SurfaceData run() {
         data_.surfaceOf = posed_.materialOf;
-        for (size_t i = 0; i < posed_.mirrored.size(); ++i)
-            if (posed_.mirrored[i]) data_.surfaceOf[i] |= kMirrored;
+        for (size_t i = 0; i < posed_.sides.size(); ++i) data_.surfaceOf[i] |= sidesOf(i);
         std::vector<bool> used(scene_.materials.size());
         for (const uint32_t material : posed_.materialOf) used[material] = true;
         for (size_t i = 0; i < scene_.materials.size(); ++i) addMaterial(scene_.materials[i], used[i]);
@@ -118,6 +117,18 @@ class Surfaces {
 
   private:
     static constexpr bool kColour = true, kNumbers = false;
+
+    // Where normals point to the back of a triangle, the file may mean either side.
+    uint32_t sidesOf(size_t triangle) const {
+        const uint32_t sides = posed_.sides[triangle];
+        const std::vector<vec3>& normals = posed_.corners.normals;
+        if (normals.empty()) return sides;
+        const Triangle& t = posed_.triangles[triangle];
+        const glm::dvec3 a(t.a), front = glm::cross(glm::dvec3(t.b) - a, glm::dvec3(t.c) - a);
+        const vec3* n = &normals[3 * triangle];
+        const double along = glm::dot(front, glm::dvec3(n[0]) + glm::dvec3(n[1]) + glm::dvec3(n[2]));
+        return sides | (((sides & kMirrored) != 0 ? along > 0.0 : along < 0.0) ? kNoBack : 0u);
+    }
 
     void addMaterial(const gltf::Material& m, bool used) {
         Material made = plainMaterial(m.baseColour, m.emissive * m.emissiveStrength, m.metallic, m.roughness, 0);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scene/sides.h"
 #include "scene/triangle_count.h"
 
 namespace cleave {
@@ -17,12 +18,8 @@ void complete(std::vector<Value>& values, size_t size, const Value& without) {
 }  // namespace
 
 void PosablePrimitive::appendTo(PosedScene& posed, const glm::dmat4& toWorld) const {
-    if (surface_) {
-        appendCorners(posed.corners, 3 * posed.triangles.size(), toWorld);
-        // A node that mirrors turns triangles round (glTF 2.0, section 3.7.4). Joints place what they move.
-        posed.mirrored.resize(posed.triangles.size() + count_,
-                              !vertices_.hasJoints() && glm::determinant(glm::dmat3(toWorld)) < 0.0);
-    }
+    const size_t first = posed.triangles.size();
+    if (surface_) appendCorners(posed.corners, 3 * first, toWorld);
     const auto appendTriangles = [&](const auto& vertex) {
         for (size_t i = 0; i < count_; ++i) {
             const std::array<size_t, 3> corner = cornersOf(mode_, i);
@@ -40,6 +37,9 @@ void PosablePrimitive::appendTo(PosedScene& posed, const glm::dmat4& toWorld) co
         appendTriangles([&](size_t i) { return vertices_.at(i, toWorld); });
     }
     posed.materialOf.insert(posed.materialOf.end(), count_, material_);
+    if (!surface_) return;
+    const bool mirrored = !vertices_.hasJoints() && glm::determinant(glm::dmat3(toWorld)) < 0.0;  // joints place alone
+    posed.sides.resize(first + count_, sidesOf(std::span(posed.triangles).subspan(first), mirrored));
 }
 
 // Triangles before corner `first` that have nothing are given what they are without.

@@ -59,9 +59,10 @@ CLEAVE_FN Material plainMaterial(vec4 baseColour, vec3 emission, float metallic,
     return m;
 }
 
-// The surface of a triangle: the number of its material and, perhaps, a bit.
+// The surface of a triangle: the number of its material and, perhaps, bits.
 CLEAVE_CONST uint kMirrored = 0x80000000u;  // its front is the side from which its vertices go clockwise
-CLEAVE_FN uint materialNumber(uint surface) { return surface & ~kMirrored; }
+CLEAVE_CONST uint kNoBack = 0x40000000u;    // its corners' normals point to its back: which side is which is not known
+CLEAVE_FN uint materialNumber(uint surface) { return surface & ~(kMirrored | kNoBack); }
 
 CLEAVE_FN bool isOpaque(Material m) { return (m.flags & (kMaterialMask | kMaterialBlend)) == 0u; }
 

@@ -68,8 +68,8 @@ CLEAVE_FN vec3 leavingOrigin(Triangle world, Hit h, vec3 direction) {
     return origin;
 }
 
-// A ray in the place of none. It begins beyond any scene, so that its walk ends where it would enter the root: a ray that
-// ends where it begins, in the scene, would still descend to a leaf.
+// A ray in the place of none. It begins beyond any scene, so that its walk ends where it would enter the root: a ray
+// that ends where it begins, in the scene, would still descend to a leaf.
 CLEAVE_FN Ray noRay() {
     Ray r;
     r.origin = vec3(0.0f, 0.0f, 0.0f);

@@ -21,14 +21,14 @@ CLEAVE_TABLE(NumberArray, uint);
 
 // What surfaces are made of: name, element, its array, the part that it is for (0: it is there always). Those of
 // corners hold three entries for each triangle; see CornerAttributes in scene/pose.h.
-#define CLEAVE_SURFACE_ARRAYS(ROW)                                                                   \
-    ROW(surfaceOf, uint, NumberArray, 0u) /* of each triangle: a material, perhaps with kMirrored */ \
-    ROW(materials, Material, MaterialArray, 0u)                                                      \
-    ROW(normals, vec3, Vec3Array, kPartNormals)                                                      \
-    ROW(colours, vec4, Vec4Array, kPartColours)                                                      \
-    ROW(texCoords0, vec2, Vec2Array, kPartTextures)                                                  \
-    ROW(texCoords1, vec2, Vec2Array, kPartTextures)                                                  \
-    ROW(maps, TextureMap, TextureMapArray, kPartTextures)                                            \
+#define CLEAVE_SURFACE_ARRAYS(ROW)                                                              \
+    ROW(surfaceOf, uint, NumberArray, 0u) /* of each triangle: a material, perhaps with bits */ \
+    ROW(materials, Material, MaterialArray, 0u)                                                 \
+    ROW(normals, vec3, Vec3Array, kPartNormals)                                                 \
+    ROW(colours, vec4, Vec4Array, kPartColours)                                                 \
+    ROW(texCoords0, vec2, Vec2Array, kPartTextures)                                             \
+    ROW(texCoords1, vec2, Vec2Array, kPartTextures)                                             \
+    ROW(maps, TextureMap, TextureMapArray, kPartTextures)                                       \
     ROW(texels, uint, TexelArray, kPartTextures)
 
 #define CLEAVE_SURFACE_MEMBER(name, Element, Array, part) Array name;
@@ -79,12 +79,13 @@ CLEAVE_FN vec4 baseColourAt(SurfaceArrays s, uint parts, Material m, Hit hit) {
 }
 
 // Whether a ray of the direction comes to the front of a triangle: the side from which its vertices go
-// counterclockwise, unless it is mirrored.
+// counterclockwise, unless it is mirrored; any side of one that has no back.
 CLEAVE_FN bool comesToFront(SurfaceArrays s, uint triangle, Triangle world, vec3 direction) {
     dvec3 a = dvec3(world.a);
     dvec3 normal = preciseCross(dvec3(world.b) - a, dvec3(world.c) - a);
     bool counterclockwise = preciseDot(normal, dvec3(direction)) < double(0.0f);
-    return counterclockwise == ((s.surfaceOf.at[triangle] & kMirrored) == 0u);
+    uint surface = s.surfaceOf.at[triangle];
+    return (surface & kNoBack) != 0u || counterclockwise == ((surface & kMirrored) == 0u);
 }
 
 // Whether a ray finds the surface where it meets the triangle. `chance` is a random number in [0, 1) for the two.

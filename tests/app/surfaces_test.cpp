@@ -142,6 +142,23 @@ TEST_F(SurfacesTest, CoordinatesThatTheSceneLacksAreZero) {
     }
 }
 
+// Normals that point to the back of a triangle: the file may mean either side, and both are shown.
+TEST_F(SurfacesTest, NormalsThatContradictTheWindingMakeATriangleTwoSided) {
+    put(folder / "scene.gltf", triangleScene());
+    const Scene scene = loadGltf(folder / "scene.gltf");
+    PosedScene posed = pose(scene, {}, kMostTriangles, Detail::corners);
+    const auto surface = [&](const vec3& normal, bool mirrored) {
+        posed.corners.normals.assign(3, normal);
+        posed.sides = {mirrored ? kMirrored : 0u};
+        return surfacesOf(scene, posed, View::path, kEnough, [](const std::string&) {}).surfaceOf.at(0);
+    };
+    EXPECT_EQ(surface({0, 0, 1}, false), 0u);
+    EXPECT_EQ(surface({0, 0, -1}, false), kNoBack);
+    EXPECT_EQ(surface({0, 0, -1}, true), kMirrored);
+    EXPECT_EQ(surface({0, 0, 1}, true), kMirrored | kNoBack);
+    EXPECT_EQ(surface(vec3(0.0f), false), 0u) << "no normals say nothing";
+}
+
 TEST_F(SurfacesTest, AlphaThatIsOneEverywhereIsOpaque) {
     image("a.png", 2, 2);
     const auto flagsOf = [&](const std::string& material) {

@@ -152,6 +152,9 @@ TEST(Sides, FrontIsCounterclockwiseUnlessMirrored) {
     t.surfaceOf[0] |= kMirrored;
     EXPECT_FALSE(comesToFront(t.arrays(), 0, t.triangle, {0.1f, 0.1f, -1}));
     EXPECT_TRUE(comesToFront(t.arrays(), 0, t.triangle, {0.1f, 0.1f, 1}));
+    t.surfaceOf[0] |= kNoBack;
+    EXPECT_TRUE(comesToFront(t.arrays(), 0, t.triangle, {0.1f, 0.1f, -1}));
+    EXPECT_EQ(materialOf(t.arrays(), 0).roughness, t.material().roughness) << "bits are no part of the number";
 }
 
 }  // namespace
