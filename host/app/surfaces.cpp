@@ -105,9 +105,7 @@ class Surfaces {
         : scene_(scene), posed_(posed), shown_(shownMaps(view)), texels_(scene, mostBytes, warn), warn_(warn) {}
 
     SurfaceData run() {
-        data_.surfaceOf = posed_.materialOf;
-        for (size_t i = 0; i < posed_.mirrored.size(); ++i)
-            if (posed_.mirrored[i]) data_.surfaceOf[i] |= kMirrored;
+        data_ = posedSurfaces(posed_);
         std::vector<bool> used(scene_.materials.size());
         for (const uint32_t material : posed_.materialOf) used[material] = true;
         for (size_t i = 0; i < scene_.materials.size(); ++i) addMaterial(scene_.materials[i], used[i]);
@@ -188,7 +186,6 @@ class Surfaces {
 
     void addCorners() {
         const CornerAttributes& corners = posed_.corners;
-        data_.normals = corners.normals;
         data_.colours = corners.colours;
         if (!corners.normals.empty()) data_.parts |= kPartNormals;
         if (!corners.colours.empty()) data_.parts |= kPartColours;
@@ -216,6 +213,15 @@ ShownMaps shownMaps(View view) {
     shown.metallicRoughness = view == View::path;
     shown.occlusion = view == View::shaded;  // paths find for themselves what light reaches a point
     return shown;
+}
+
+SurfaceData posedSurfaces(const PosedScene& posed) {
+    SurfaceData data;
+    data.surfaceOf = posed.materialOf;
+    for (size_t i = 0; i < posed.mirrored.size(); ++i)
+        if (posed.mirrored[i]) data.surfaceOf[i] |= kMirrored;
+    data.normals = posed.corners.normals;
+    return data;
 }
 
 SurfaceData surfacesOf(const Scene& scene, const PosedScene& posed, View view, uint64_t mostBytes,
