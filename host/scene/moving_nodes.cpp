@@ -1,30 +1,40 @@
 #include "scene/moving_nodes.h"
 
 #include <algorithm>
+#include <map>
+#include <tuple>
 
 #include "scene/animation.h"
 #include "scene/key_values.h"
 #include "scene/morph_targets.h"
-#include "scene/node_transforms.h"
+#include "scene/refuse.h"
 #include "scene/skin_matrices.h"
 
 namespace cleave {
 namespace {
 
-bool isConstant(const Scene& scene, const PlayedChannel& played) {
-    const std::vector<double> times = keyTimes(scene, played.sampler.input);
-    const KeyValues keys(scene, played.sampler, times);
-    switch (played.channel.path) {
-        case gltf::Path::rotation:
-            return keys.isConstant(4, 1);
-        case gltf::Path::weights:
-            return keys.isConstant(1, morphTargetsOf(scene, played.channel.node));
-        case gltf::Path::translation:
-        case gltf::Path::scale:
-            break;
+// Knows of channels whether the keys of their samplers are all alike; samplers that share their keys are read once.
+class ConstantKeys {
+  public:
+    explicit ConstantKeys(const Scene& scene) : scene_(scene) {}
+
+    bool are(const PlayedChannel& played) {
+        const auto& [channel, sampler] = played;
+        const size_t width = channel.path == gltf::Path::rotation ? 4 : channel.path == gltf::Path::weights ? 1 : 3;
+        const size_t each = width == 1 ? morphTargetsOf(scene_, channel.node) : 1;
+        const auto [entry, isNew] =
+            known_.try_emplace({sampler.input, sampler.output, sampler.interpolation, width, each});
+        if (isNew) {
+            const std::vector<double> times = keyTimes(scene_, sampler.input);
+            entry->second = KeyValues(scene_, sampler, times).isConstant(width, each);
+        }
+        return entry->second;
     }
-    return keys.isConstant(3, 1);
-}
+
+  private:
+    const Scene& scene_;
+    std::map<std::tuple<uint32_t, uint32_t, gltf::Interpolation, size_t, size_t>, bool> known_;
+};
 
 // What moves moves what is below it, too.
 void passOn(const Scene& scene, std::vector<bool>& moves) {
@@ -42,14 +52,13 @@ void passOn(const Scene& scene, std::vector<bool>& moves) {
     }
 }
 
-}  // namespace
-
-std::vector<bool> movingNodes(const Scene& scene, const std::vector<uint32_t>& animations) {
+std::vector<bool> findMovingNodes(const Scene& scene, const std::vector<uint32_t>& animations) {
     std::vector<bool> placesMove(scene.nodes.size());
     std::vector<bool> weightsMove(scene.nodes.size());
+    ConstantKeys constant(scene);
     Warnings ignored;  // a pose gives the same
     for (const PlayedChannel& played : playedChannels(scene, animations, ignored)) {
-        if (isConstant(scene, played)) continue;
+        if (constant.are(played)) continue;
         const bool ofWeights = played.channel.path == gltf::Path::weights;
         (ofWeights ? weightsMove : placesMove)[played.channel.node] = true;
     }
@@ -65,6 +74,12 @@ std::vector<bool> movingNodes(const Scene& scene, const std::vector<uint32_t>& a
         moving[i] = isPlacedAnew || weightsMove[i];
     }
     return moving;
+}
+
+}  // namespace
+
+std::vector<bool> movingNodes(const Scene& scene, const std::vector<uint32_t>& animations) {
+    return naming("cannot find what moves in '" + scene.name + "'", [&] { return findMovingNodes(scene, animations); });
 }
 
 uint64_t countMoving(const PosedScene& posed, const std::vector<bool>& movingNodes) {

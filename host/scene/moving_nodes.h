@@ -10,7 +10,8 @@ namespace cleave {
 
 // Returns for each node whether the triangles of its mesh may differ between two times of these animations. They do
 // where a channel whose keys differ moves the node or one above it, a joint of its skin, or the weights of its morph
-// targets; triangles of the others are the same at all times, to the last bit.
+// targets; triangles of the others are the same at all times, to the last bit. Throws Error
+// if times of keys do not increase.
 std::vector<bool> movingNodes(const Scene& scene, const std::vector<uint32_t>& animations);
 
 // Returns how many of the posed triangles belong to nodes that move.

@@ -69,6 +69,16 @@ TEST(MovingNodes, keysThatAreAllAlikeMoveNothing) {
     EXPECT_EQ(movingOf(swings), Moving{true});
 }
 
+TEST(MovingNodes, timesThatDoNotIncreaseAreRefused) {
+    Animated wrong = Animated().add("translation", "LINEAR", {1, 1}, {0, 0, 0, 1, 0, 0});
+    try {
+        movingOf(wrong);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("scene.gltf"), std::string::npos) << error.what();
+    }
+}
+
 // A sum of two shares of a number would be an ulp off at some of these times.
 TEST(MovingNodes, whatDoesNotMoveStaysToTheLastBit) {
     const Floats place{0.1f, 0.7f, -0.3f, 0.1f, 0.7f, -0.3f}, turn{0.1f, 0.2f, 0.3f, 0.9f, 0.1f, 0.2f, 0.3f, 0.9f};
