@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <new>
 #include <string>
 
@@ -81,10 +80,12 @@ class FrameRenderer {
         return report;
     }
     std::string summary() const {
-        const auto count = static_cast<double>(std::max<uint64_t>(rendered(), 1));
+        const auto count = static_cast<double>(rendered());
         return "motion    " + grouped(movingTriangles_) + " of " + grouped(movingTriangles_ + staticTriangles_) +
-               " triangles move" + animationsText() + "\n" + "each      build " + fixed(buildMs_ / count, 3) +
-               " ms, trace " + fixed(traceMs_ / count, 3) + " ms\n" +
+               " triangles move" + animationsText() + "\n" +
+               (rendered() > 0 ? "each      build " + fixed(buildMs_ / count, 3) + " ms, trace " +
+                                     fixed(traceMs_ / count, 3) + " ms\n"
+                               : "") +
                (run_.options.check > 0 ? checkedLine(checked_) : "");
     }
 
@@ -158,9 +159,12 @@ class FrameLoop {
         return report;
     }
     std::string summary() const {
-        return renderer_.summary() + "frames    " + grouped(renderer_.rendered()) + " rendered" +
-               (skipped_ > 0 ? ", " + grouped(skipped_) + " were there" : "") + ": " +
-               frameFile(run_.options.output, range_.first).string() + " and so on\n";
+        const uint64_t count = frames();
+        std::string text = renderer_.summary() + "frames    " + grouped(renderer_.rendered()) + " rendered" +
+                           (skipped_ > 0 ? ", " + grouped(skipped_) + " were there" : "");
+        if (count > 0) text += ": " + frameFile(run_.options.output, first_).string();
+        if (count > 1) text += " to " + frameFile(run_.options.output, first_ + (count - 1) * range_.parts).string();
+        return text + "\n";
     }
 
   private:

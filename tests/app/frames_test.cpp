@@ -212,6 +212,8 @@ TEST_F(Frames, OfASceneWithoutAnimationAreAllTheSame) {
     EXPECT_NE(outcome.err.find("has no animation"), std::string::npos) << outcome.err;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     EXPECT_EQ(contentOf(folder_ / "f_9999.png"), contentOf(folder_ / "f_10000.png"));
+    EXPECT_NE(outcome.out.find("2 rendered: " + at("f_9999.png") + " to " + at("f_10000.png")), std::string::npos)
+        << outcome.out;
     EXPECT_EQ(reportOf("j")["frames"][0]["movingTriangles"], 0);
 }
 
