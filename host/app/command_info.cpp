@@ -43,6 +43,10 @@ std::string sceneTable(const Session& session) {
         rows.push_back({"camera " + std::to_string(i),
                         oneLine(scene.cameras[i].name) + " (" +
                             (scene.cameras[i].orthographic ? "orthographic" : "perspective") + ")"});
+    const std::vector<gltf::Animation>& animations = session.scene().animations;
+    rows.push_back({"animations", grouped(animations.size())});
+    for (size_t i = 0; i < animations.size(); ++i)
+        rows.push_back({"animation " + std::to_string(i), oneLine(animations[i].name)});
     return alignedTable(rows, "ll");
 }
 

@@ -6,6 +6,7 @@
 namespace cleave {
 
 void runRender(Run& run);
+void runFrames(Run& run);  // render --frames
 void runTrace(Run& run);
 void runInfo(Run& run);
 void runBench(Run& run);

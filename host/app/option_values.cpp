@@ -16,6 +16,15 @@ std::optional<Number> parseAll(std::string_view text) {
     return value;
 }
 
+std::optional<std::pair<uint64_t, uint64_t>> parsePair(std::string_view text, char between, uint64_t most) {
+    const size_t at = text.find(between);
+    if (at == std::string_view::npos) return std::nullopt;
+    const auto first = parseWhole(text.substr(0, at), 0, most);
+    const auto second = parseWhole(text.substr(at + 1), 0, most);
+    if (!first || !second) return std::nullopt;
+    return std::pair(*first, *second);
+}
+
 }  // namespace
 
 std::optional<uint64_t> parseWhole(std::string_view text, uint64_t least, uint64_t most) {
@@ -50,6 +59,18 @@ std::optional<glm::uvec2> parseSize(std::string_view text) {
     const auto height = parseWhole(text.substr(cross + 1), 1, kMaxSide);
     if (!width || !height || *width * *height > kMaxPixels) return std::nullopt;
     return glm::uvec2(*width, *height);
+}
+
+std::optional<std::pair<uint64_t, uint64_t>> parseFrames(std::string_view text) {
+    constexpr uint64_t kLastFrame = 999'999'999;
+    const auto range = parsePair(text, ':', kLastFrame);
+    return range && range->first <= range->second ? range : std::nullopt;
+}
+
+std::optional<std::pair<uint64_t, uint64_t>> parsePart(std::string_view text) {
+    constexpr uint64_t kMostParts = 1'000'000'000;
+    const auto part = parsePair(text, '/', kMostParts);
+    return part && part->first < part->second ? part : std::nullopt;
 }
 
 std::optional<uint64_t> parseBytes(std::string_view text) {

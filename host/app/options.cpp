@@ -9,8 +9,10 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
+#include "app/frame_files.h"
 #include "app/option_values.h"
 #include "base/error.h"
 #include "base/text.h"
@@ -216,6 +218,45 @@ void addScene(CLI::App& app, Options& options, const std::string& text, bool nee
     app.add_option_function<std::string>("SCENE", read, text)->type_name("FILE")->required(needed);
 }
 
+CLI::Option* addTime(CLI::App& app, Options& options) {
+    CLI::Option* time = addParsed<double>(
+        app, "--time", "S", "the scene after so many seconds of its animation (its rest pose)", parseNumber,
+        [&options](double seconds) { options.time = seconds; }, "a number of seconds");
+    app.add_option("--animation", options.animation, "what is played: an animation of the scene, or all (the first)")
+        ->type_name("NAME|INDEX");
+    return time;
+}
+
+// The parts of a range of frames, which are given in any order.
+FrameRange& framesOf(Options& options) {
+    if (!options.frames) options.frames.emplace();
+    return *options.frames;
+}
+
+void addFrames(CLI::App& app, Options& options, CLI::Option* time) {
+    using Pair = std::pair<uint64_t, uint64_t>;
+    CLI::Option* frames = addParsed<Pair>(
+        app, "--frames", "A:B", "a picture for each of the frames A to B: out_0001.png and so on", parseFrames,
+        [&options](Pair range) { std::tie(framesOf(options).first, framesOf(options).last) = range; },
+        "A:B, the first and the last frame, whole numbers from 0 on, A not above B");
+    const auto rate = [](const std::string& given) {
+        const auto fps = parseNumber(given);
+        return fps && *fps > 0.0 ? fps : std::nullopt;
+    };
+    CLI::Option* fps = addParsed<double>(
+        app, "--fps", "F", "frames per second: frame n shows the time n / F", rate,
+        [&options](double f) { framesOf(options).fps = f; }, "a number above 0");
+    CLI::Option* part = addParsed<Pair>(
+        app, "--part", "I/N", "only the frames A + I, A + I + N, A + I + 2 N, ...", parsePart,
+        [&options](Pair one) { std::tie(framesOf(options).part, framesOf(options).parts) = one; },
+        "I/N, two whole numbers with I from 0 to N - 1");
+    CLI::Option* skip = app.add_flag_callback(
+        "--skip-existing", [&options] { framesOf(options).skipExisting = true; },
+        "leave frames out whose pictures are there");
+    frames->needs(fps)->excludes(time);
+    for (CLI::Option* option : {fps, part, skip}) option->needs(frames);
+}
+
 void addRender(CLI::App& app, Options& options) {
     addScene(app, options, ".gltf or .glb; a scene of ours where left out", false);
     app.add_option("-o,--output", options.output, "the picture (out.png)")->type_name("FILE");
@@ -258,8 +299,9 @@ void addRender(CLI::App& app, Options& options) {
         return s && *s > 0.0 ? s : std::nullopt;
     };
     addParsed<double>(
-        app, "--time-limit", "S", "take no more samples after so many seconds", seconds,
+        app, "--time-limit", "S", "take no more samples (of a frame) after so many seconds", seconds,
         [&options](double s) { options.timeLimit = s; }, "a number of seconds above 0");
+    addFrames(app, options, addTime(app, options));
     addBuild(app, options, false);
     addTraversal(app, options, false);
     addOutput(app, options);
@@ -273,6 +315,7 @@ void addTrace(CLI::App& app, Options& options) {
     app.add_option("-o,--output", options.output, "the hits (hits.npy)")->type_name("FILE");
     app.add_flag_callback(
         "--any", [&options] { options.query = Query::any; }, "any hit will do, not the closest");
+    addTime(app, options);
     addBuild(app, options, false);
     addTraversal(app, options, false);
     addOutput(app, options);
@@ -281,6 +324,7 @@ void addTrace(CLI::App& app, Options& options) {
 void addInfo(CLI::App& app, Options& options) {
     addScene(app, options, ".gltf or .glb", true);
     app.add_flag("--validate", options.validate, "check the tree against its triangles");
+    addTime(app, options);
     addBuild(app, options, false);
     addOutput(app, options);
 }
@@ -290,6 +334,7 @@ void addBench(CLI::App& app, Options& options) {
     addWhole(app, "--runs", "median of so many runs (5); on a device after a warm-up of 0.15 s", options.runs, 1,
              10000);
     app.add_flag("--interior", options.interior, "primary rays from inside, for rooms");
+    addTime(app, options);
     addBuild(app, options, true);
     addTraversal(app, options, true);
     CLI::Option* survey =
@@ -403,6 +448,10 @@ void complete(Options& options) {
     const bool writes = options.command == Command::render || options.command == Command::trace;
     if (writes && options.json && options.json->lexically_normal() == options.output.lexically_normal())
         throw UsageError("--json and -o name the same file");
+    if (options.frames && !std::isfinite(static_cast<double>(options.frames->last) / options.frames->fps))
+        throw UsageError("--fps: at so few frames per second the time of the last frame is no finite number");
+    if (options.frames && options.json && isFrameFile(options.output, *options.json))
+        throw UsageError("--json: '" + options.json->string() + "' is what a frame is called; choose another name");
 }
 
 constexpr uint32_t kQuickRuns = 2;

@@ -19,6 +19,20 @@ namespace cleave {
 
 enum class Command { render, trace, info, bench, report, stability, devices };
 
+// Frames of an animation: `first` to `last`, frame n at the time n / fps. Of these, those with (n - first) mod parts ==
+// part.
+struct FrameRange {
+    uint64_t first = 0;
+    uint64_t last = 0;
+    double fps = 0.0;
+    uint64_t part = 0;
+    uint64_t parts = 1;
+    bool skipExisting = false;
+};
+
+// What --animation says for all of them.
+inline constexpr std::string_view kAllAnimations = "all";
+
 struct Options {
     Command command = Command::devices;
     std::string line;                           // as it was typed, for figures to say where they come from
@@ -33,6 +47,10 @@ struct Options {
     std::string device;
     uint64_t check = 0;  // rays of a run to be judged
     bool validate = false;
+
+    std::optional<double> time;  // seconds; none: the rest pose
+    std::string animation;       // by name or index, or kAllAnimations; empty: the first
+    std::optional<FrameRange> frames;
 
     uint32_t width = 1280;
     uint32_t height = 720;

@@ -17,7 +17,8 @@ Json sceneJson(const Session& session) {
             {"loadMs", numberJson(session.loadMilliseconds())},
             {"poseMs", numberJson(session.poseMilliseconds())},
             {"materials", session.scene().materials.size()},
-            {"cameras", session.posed().cameras.size()}};
+            {"cameras", session.posed().cameras.size()},
+            {"animations", session.scene().animations.size()}};
 }
 
 Json completed(const Run& run, Json report) {

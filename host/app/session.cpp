@@ -28,19 +28,50 @@ void buildOnHost(BuiltTree& built, const TriangleSet& set, const BuildSettings& 
 
 }  // namespace
 
-Session::Session(Run& run, const fs::path& file, Detail detail) : run_(run) {
+Session::Session(Run& run, const fs::path& file, Detail detail) : run_(run), detail_(detail) {
+    const Options& options = run.options;
     run_.progress.phase("loading " + oneLine(file.filename().string()));
     const Stopwatch loading;
     scene_ = loadGltf(file);
     loadMs_ = loading.milliseconds();
-    const Stopwatch posing;
-    posed_ = pose(scene_, {}, kMostTriangles, detail);
-    poseMs_ = posing.milliseconds();
-    for (const auto& warnings : {scene_.warnings, posed_.warnings})
-        for (const std::string& warning : warnings) run_.warn(warning);
+    warnOnce(scene_.warnings);
+    animations_ =
+        options.animation == kAllAnimations ? allAnimations(scene_) : chooseAnimation(scene_, options.animation);
+    if (animations_.empty() && (options.time || options.frames))
+        run_.warn("'" + scene_.name + "' has no animation: it is the same at all times");
+    if (!options.animation.empty() && !options.time && !options.frames)
+        run_.warn("--animation: the rest pose is shown, as no time is given");
+    if (options.time) {
+        poseAt(*options.time);
+    } else {
+        poseScene({});
+        restBounds_ = bounds_;
+    }
+}
+
+void Session::poseAt(double seconds) { poseScene({seconds, animations_}); }
+
+void Session::poseScene(const PoseTime& time) {
+    onDevice_.reset();
+    reference_.reset();
+    posed_ = {};  // two poses need not be in memory together
+    const Stopwatch watch;
+    posed_ = pose(scene_, time, kMostTriangles, detail_);
+    poseMs_ = watch.milliseconds();
+    warnOnce(posed_.warnings);
     set_ = makeTriangleSet(posed_.triangles);
     bounds_ = finiteBounds(posed_.triangles);
     run_.progress.clear();
+}
+
+void Session::warnOnce(const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings)
+        if (warned_.insert(warning).second) run_.warn(warning);
+}
+
+const Box& Session::restBounds() {
+    if (!restBounds_) restBounds_ = finiteBounds(pose(scene_).triangles);
+    return *restBounds_;
 }
 
 const DeviceTriangles& Session::trianglesOnDevice() {
@@ -58,6 +89,8 @@ DeviceSurfaces Session::surfacesOnDevice(View view) {
     run_.progress.clear();
     return DeviceSurfaces(device, data);
 }
+
+void Session::moveSurfaces(DeviceSurfaces& surfaces) { surfaces.move(run_.device.device(), posedSurfaces(posed_)); }
 
 void Session::buildOnDevice(BuiltTree& built, const BuildSettings& settings) {
     built.onDevice.reset();  // a second run must not need memory for two trees
@@ -94,6 +127,14 @@ void Session::finish(BuiltTree& built, const BuildSettings& settings) {
     built.statistics = computeStatistics(built.tree, settings.costs);
     built.hash = treeHash(built.tree);
     run_.progress.clear();
+}
+
+BuiltTree Session::buildPlain(Builder builder) {
+    BuiltTree built = prepared(builder);
+    buildOnce(built, run_.options.settings);
+    built.ms = medianOf(built.runs);
+    run_.progress.clear();
+    return built;
 }
 
 BuiltTree Session::build(Builder builder, const BuildSettings& settings) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,8 +19,12 @@ namespace cleave {
 
 class Session {
   public:
-    // Loads the scene, poses it and passes warnings on. `run` outlives the session.
+    // Loads the scene, poses it at the time that the options of the run ask for, and passes warnings on, each once.
+    // `run` outlives the session.
     Session(Run& run, const std::filesystem::path& file, Detail detail = Detail::triangles);
+
+    // Poses the scene anew; what was built, uploaded or judged before was of another pose.
+    void poseAt(double seconds);
 
     const Scene& scene() const { return scene_; }
     const PosedScene& posed() const { return posed_; }
@@ -29,10 +34,16 @@ class Session {
     double poseMilliseconds() const { return poseMs_; }
     // Of the triangles with finite vertices, in world space; empty without any.
     const Box& worldBounds() const { return bounds_; }
+    // The same in the rest pose, for cameras that stay where they are at all times.
+    const Box& restBounds();
+    // Those that are played, by number.
+    const std::vector<uint32_t>& animations() const { return animations_; }
 
     // With the settings of the run where none are given.
     BuiltTree build(Builder builder) { return build(builder, run_.options.settings); }
     BuiltTree build(Builder builder, const BuildSettings& settings);
+    // Only the tree and its time: neither statistics nor a hash, which take longer.
+    BuiltTree buildPlain(Builder builder);
     // Builds the same tree `runs` times; on the device after a warm-up, and once more to see where the time goes.
     BuiltTree buildTimed(Builder builder, uint32_t runs) { return buildTimed(builder, runs, run_.options.settings); }
     BuiltTree buildTimed(Builder builder, uint32_t runs, const BuildSettings& settings);
@@ -45,11 +56,15 @@ class Session {
     // What a view shows of surfaces; those of the scene's corners if the session was made with these. Warns of images
     // that cannot be read.
     DeviceSurfaces surfacesOnDevice(View view);
+    // Brings those of another pose to this one.
+    void moveSurfaces(DeviceSurfaces& surfaces);
 
     // Judges up to `count` of the rays. The reference is made at the first call and serves all builders.
     CheckResult check(std::span<const Ray> rays, std::span<const Hit> hits, Query query, uint64_t count);
 
   private:
+    void poseScene(const PoseTime& time);
+    void warnOnce(const std::vector<std::string>& warnings);
     BuiltTree prepared(Builder builder);
     void buildOnDevice(BuiltTree& built, const BuildSettings& settings);
     void buildOnce(BuiltTree& built, const BuildSettings& settings);
@@ -57,10 +72,14 @@ class Session {
     void finish(BuiltTree& built, const BuildSettings& settings);
 
     Run& run_;
+    Detail detail_;
     Scene scene_;
+    std::vector<uint32_t> animations_;
+    std::set<std::string> warned_;
     PosedScene posed_;
     TriangleSet set_;
     Box bounds_ = emptyBox();
+    std::optional<Box> restBounds_;
     double loadMs_ = 0.0;
     double poseMs_ = 0.0;
     std::unique_ptr<DeviceTriangles> onDevice_;

@@ -97,6 +97,18 @@ void transform(TextureMap& map, const gltf::TextureUse& use) {
     map.offset = vec2(use.offset);
 }
 
+// Where normals point to the back of a triangle, the file may mean either side.
+uint32_t sidesOf(const PosedScene& posed, size_t triangle) {
+    const uint32_t sides = posed.sides[triangle];
+    const std::vector<vec3>& normals = posed.corners.normals;
+    if (normals.empty()) return sides;
+    const Triangle& t = posed.triangles[triangle];
+    const glm::dvec3 a(t.a), front = glm::cross(glm::dvec3(t.b) - a, glm::dvec3(t.c) - a);
+    const vec3* n = &normals[3 * triangle];
+    const double along = glm::dot(front, glm::dvec3(n[0]) + glm::dvec3(n[1]) + glm::dvec3(n[2]));
+    return sides | (((sides & kMirrored) != 0 ? along > 0.0 : along < 0.0) ? kNoBack : 0u);
+}
+
 // Makes the materials of a scene, and the maps that they need.
 class Surfaces {
   public:
@@ -105,8 +117,7 @@ class Surfaces {
         : scene_(scene), posed_(posed), shown_(shownMaps(view)), texels_(scene, mostBytes, warn), warn_(warn) {}
 
     SurfaceData run() {
-        data_.surfaceOf = posed_.materialOf;
-        for (size_t i = 0; i < posed_.sides.size(); ++i) data_.surfaceOf[i] |= sidesOf(i);
+        data_ = posedSurfaces(posed_);
         std::vector<bool> used(scene_.materials.size());
         for (const uint32_t material : posed_.materialOf) used[material] = true;
         for (size_t i = 0; i < scene_.materials.size(); ++i) addMaterial(scene_.materials[i], used[i]);
@@ -117,18 +128,6 @@ class Surfaces {
 
   private:
     static constexpr bool kColour = true, kNumbers = false;
-
-    // Where normals point to the back of a triangle, the file may mean either side.
-    uint32_t sidesOf(size_t triangle) const {
-        const uint32_t sides = posed_.sides[triangle];
-        const std::vector<vec3>& normals = posed_.corners.normals;
-        if (normals.empty()) return sides;
-        const Triangle& t = posed_.triangles[triangle];
-        const glm::dvec3 a(t.a), front = glm::cross(glm::dvec3(t.b) - a, glm::dvec3(t.c) - a);
-        const vec3* n = &normals[3 * triangle];
-        const double along = glm::dot(front, glm::dvec3(n[0]) + glm::dvec3(n[1]) + glm::dvec3(n[2]));
-        return sides | (((sides & kMirrored) != 0 ? along > 0.0 : along < 0.0) ? kNoBack : 0u);
-    }
 
     void addMaterial(const gltf::Material& m, bool used) {
         Material made = plainMaterial(m.baseColour, m.emissive * m.emissiveStrength, m.metallic, m.roughness, 0);
@@ -199,7 +198,6 @@ class Surfaces {
 
     void addCorners() {
         const CornerAttributes& corners = posed_.corners;
-        data_.normals = corners.normals;
         data_.colours = corners.colours;
         if (!corners.normals.empty()) data_.parts |= kPartNormals;
         if (!corners.colours.empty()) data_.parts |= kPartColours;
@@ -227,6 +225,14 @@ ShownMaps shownMaps(View view) {
     shown.metallicRoughness = view == View::path;
     shown.occlusion = view == View::shaded;  // paths find for themselves what light reaches a point
     return shown;
+}
+
+SurfaceData posedSurfaces(const PosedScene& posed) {
+    SurfaceData data;
+    data.surfaceOf = posed.materialOf;
+    for (size_t i = 0; i < posed.sides.size(); ++i) data.surfaceOf[i] |= sidesOf(posed, i);
+    data.normals = posed.corners.normals;
+    return data;
 }
 
 SurfaceData surfacesOf(const Scene& scene, const PosedScene& posed, View view, uint64_t mostBytes,

@@ -26,4 +26,7 @@ ShownMaps shownMaps(View view);
 SurfaceData surfacesOf(const Scene& scene, const PosedScene& posed, View view, uint64_t mostBytes,
                        const std::function<void(const std::string&)>& warn);
 
+// Only what differs between poses of a scene; see DeviceSurfaces::move.
+SurfaceData posedSurfaces(const PosedScene& posed);
+
 }  // namespace cleave

@@ -10,18 +10,29 @@
 
 namespace cleave {
 
+namespace {
+
+template <class T>
+void upload(Device& device, const std::vector<T>& items, std::optional<Buffer>& buffer, VkDeviceAddress& address) {
+    buffer.reset();  // the old one need not be beside the new one
+    if (!items.empty()) buffer = uploaded(device, std::span(items));
+    address = buffer ? buffer->address() : 0;
+}
+
+}  // namespace
+
 DeviceSurfaces::DeviceSurfaces(Device& device, const SurfaceData& data) {
     addresses_.parts = data.parts;
     addresses_.hasAlpha = data.hasAlpha;
     addresses_.singleSided = data.singleSided;
-    const auto upload = [&](const auto& items, VkDeviceAddress& address) {
-        if (items.empty()) return;
-        buffers_.push_back(uploaded(device, std::span(items)));
-        address = buffers_.back().address();
-    };
-#define CLEAVE_UPLOAD(name, Element, Array, part) upload(data.name, addresses_.name);
+#define CLEAVE_UPLOAD(name, Element, Array, part) upload(device, data.name, name##_, addresses_.name);
     CLEAVE_SURFACE_ARRAYS(CLEAVE_UPLOAD)
 #undef CLEAVE_UPLOAD
+}
+
+void DeviceSurfaces::move(Device& device, const SurfaceData& posed) {
+    upload(device, posed.surfaceOf, surfaceOf_, addresses_.surfaceOf);
+    upload(device, posed.normals, normals_, addresses_.normals);
 }
 
 namespace {

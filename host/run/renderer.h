@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "gpu/commands.h"
@@ -16,9 +17,13 @@ class DeviceSurfaces {
   public:
     DeviceSurfaces(Device& device, const SurfaceData& data);
     const SurfaceAddresses& addresses() const { return addresses_; }
+    // Takes what another pose of the same scene changes: the sides of triangles, and normals.
+    void move(Device& device, const SurfaceData& posed);
 
   private:
-    std::vector<Buffer> buffers_;
+#define CLEAVE_SURFACE_BUFFER(name, Element, Array, part) std::optional<Buffer> name##_;
+    CLEAVE_SURFACE_ARRAYS(CLEAVE_SURFACE_BUFFER)
+#undef CLEAVE_SURFACE_BUFFER
     SurfaceAddresses addresses_;
 };
 

@@ -5,17 +5,12 @@
 #include <set>
 
 #include "scene/key_values.h"
+#include "scene/morph_targets.h"
 #include "scene/not_found.h"
 #include "scene/triangle_count.h"
 
 namespace cleave {
 namespace {
-
-size_t morphTargetsOf(const Scene& scene, uint32_t node) {
-    const gltf::Index mesh = scene.nodes[node].mesh;
-    if (!mesh || scene.meshes[*mesh].primitives.empty()) return 0;
-    return scene.meshes[*mesh].primitives.front().targets.size();
-}
 
 void play(const Scene& scene, const gltf::Channel& channel, const KeyValues& keys, double seconds, NodeState& state) {
     switch (channel.path) {
@@ -69,12 +64,11 @@ std::vector<NodeState> restStates(const Scene& scene) {
     return states;
 }
 
-void animate(const Scene& scene, const PoseTime& time, std::vector<NodeState>& states, Warnings& warnings) {
-    if (!time.seconds) return;
-    if (!std::isfinite(*time.seconds)) refuseGltf("the time is not a finite number of seconds", "give one that is");
+std::vector<PlayedChannel> playedChannels(const Scene& scene, const std::vector<uint32_t>& animations,
+                                          Warnings& warnings) {
+    std::vector<PlayedChannel> played;
     Moved moved;
-    std::map<uint32_t, std::vector<double>> times;  // by accessor
-    for (uint32_t i : time.animations) {
+    for (uint32_t i : animations) {
         const gltf::Animation& animation = scene.animations.at(i);
         for (size_t c = 0; c < animation.channels.size(); ++c) {
             const gltf::Channel& channel = animation.channels[c];
@@ -85,12 +79,22 @@ void animate(const Scene& scene, const PoseTime& time, std::vector<NodeState>& s
                              " is left out: " + why);
                 continue;
             }
-            auto known = times.find(sampler.input);  // samplers often share theirs
-            if (known == times.end()) known = times.emplace(sampler.input, keyTimes(scene, sampler.input)).first;
-            const KeyValues keys(scene, sampler, known->second);
-            play(scene, channel, keys, *time.seconds, states[channel.node]);
+            played.push_back({channel, sampler});
             moved.insert({channel.node, channel.path});
         }
+    }
+    return played;
+}
+
+void animate(const Scene& scene, const PoseTime& time, std::vector<NodeState>& states, Warnings& warnings) {
+    if (!time.seconds) return;
+    if (!std::isfinite(*time.seconds)) refuseGltf("the time is not a finite number of seconds", "give one that is");
+    std::map<uint32_t, std::vector<double>> times;  // by accessor
+    for (const auto& [channel, sampler] : playedChannels(scene, time.animations, warnings)) {
+        auto known = times.find(sampler.input);  // samplers often share theirs
+        if (known == times.end()) known = times.emplace(sampler.input, keyTimes(scene, sampler.input)).first;
+        const KeyValues keys(scene, sampler, known->second);
+        play(scene, channel, keys, *time.seconds, states[channel.node]);
     }
 }
 

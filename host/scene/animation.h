@@ -18,9 +18,18 @@ struct NodeState {
 // for 0.
 std::vector<NodeState> restStates(const Scene& scene);
 
-// Moves `states` to a time. Channels that cannot be played are left out with a warning: where an earlier one moves the
-// same thing, where a node has a matrix, or where keys are in a buffer that is not there. Throws Error if times do not
-// increase.
+// A channel, and the sampler that it plays.
+struct PlayedChannel {
+    gltf::Channel channel;
+    gltf::AnimationSampler sampler;
+};
+
+// Returns the channels of these animations that are played. The others are left out with a warning: where an earlier
+// one moves the same thing, where a node has a matrix, or where keys are in a buffer that is not there.
+std::vector<PlayedChannel> playedChannels(const Scene& scene, const std::vector<uint32_t>& animations,
+                                          Warnings& warnings);
+
+// Moves `states` to a time, by the channels that are played. Throws Error if times do not increase.
 void animate(const Scene& scene, const PoseTime& time, std::vector<NodeState>& states, Warnings& warnings);
 
 }  // namespace cleave

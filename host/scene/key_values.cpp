@@ -73,6 +73,7 @@ Value KeyValues::interpolated(const Place& place, size_t each, size_t e, const G
     const Value from = element(place.from, 1);
     if (place.from == place.to || interpolation_ == Interpolation::step) return from;
     const Value to = element(place.to, 1);
+    if (!isCubic && from == to) return from;  // what stays does so to the last bit
     const double s = place.share;
     if (!isCubic) {
         if constexpr (std::is_same_v<Value, glm::dvec4>)
@@ -92,6 +93,19 @@ glm::dvec3 KeyValues::vec3At(double seconds) const {
 
 glm::dvec4 KeyValues::rotationAt(double seconds) const {
     return interpolated<glm::dvec4>(placeOf(seconds), 1, 0, [&](size_t k) { return values_.vec4(k); });
+}
+
+bool KeyValues::isConstant(size_t width, size_t each) const {
+    if (times_.size() <= 1) return true;
+    if (interpolation_ == Interpolation::cubicSpline) return false;
+    const auto element = [&](size_t k) {
+        return width == 4   ? values_.vec4(k)
+               : width == 3 ? glm::dvec4(values_.vec3(k), 0.0)
+                            : glm::dvec4(values_.scalar(k));
+    };
+    for (size_t k = each; k < times_.size() * each; ++k)
+        if (element(k) != element(k - each)) return false;
+    return true;
 }
 
 std::vector<double> KeyValues::scalarsAt(double seconds, size_t count) const {

@@ -19,6 +19,9 @@ class KeyValues {
     glm::dvec3 vec3At(double seconds) const;
     glm::dvec4 rotationAt(double seconds) const;  // a quaternion of any length; linear: along the shorter arc
     std::vector<double> scalarsAt(double seconds, size_t count) const;  // where each key has `count` of them
+    // Returns whether values of `width` numbers, `each` at a key, are known to be the same at all times, to the last
+    // bit.
+    bool isConstant(size_t width, size_t each) const;
 
   private:
     // A time between keys: `share` of the way from one key to the next one, which are `step` seconds apart. Outside of

@@ -19,4 +19,10 @@ gltf::Index attributeOf(const gltf::Attributes& attributes, const std::string& s
     return it == attributes.end() ? gltf::Index() : gltf::Index(it->second);
 }
 
+size_t morphTargetsOf(const Scene& scene, uint32_t node) {
+    const gltf::Index mesh = scene.nodes[node].mesh;
+    if (!mesh || scene.meshes[*mesh].primitives.empty()) return 0;
+    return scene.meshes[*mesh].primitives.front().targets.size();
+}
+
 }  // namespace cleave

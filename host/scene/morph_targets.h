@@ -23,6 +23,9 @@ struct MorphTarget {
 std::vector<MorphTarget> movingTargets(const gltf::Primitive& primitive, const Deformation& deformation,
                                        const std::string& semantic);
 
+// Returns how many targets the primitives of a node's mesh have.
+size_t morphTargetsOf(const Scene& scene, uint32_t node);
+
 // Returns the accessor of a semantic, if there is such an attribute.
 gltf::Index attributeOf(const gltf::Attributes& attributes, const std::string& semantic);
 

@@ -54,7 +54,11 @@ class Posing {
         const gltf::Node& node = scene_.nodes[index];
         if (node.camera) addCamera(index);
         if (node.light) addLight(index);
-        if (node.mesh) addMesh(index);
+        if (node.mesh) {
+            const size_t before = posed_.triangles.size();
+            addMesh(index);
+            posed_.meshes.push_back({index, posed_.triangles.size() - before});
+        }
     }
 
     void addCamera(uint32_t index) {
@@ -79,7 +83,7 @@ class Posing {
             warnings_.add(name + " is shown once: it has instances, and " +
                           (node.skin ? "also a skin" : "their data is in a buffer that has no URI"));
         // A skinned mesh is where its joints are; its node's own transform does not count.
-        const bool hasSkin = node.skin && hasMatrices(*node.skin, name);
+        const bool hasSkin = node.skin && isPlacedBySkin(*node.skin, name);
         const Deformation deformation{&states_[index].weights, hasSkin ? &skins_.of(*node.skin) : nullptr};
         const InstanceTransforms instances(scene_, node);
         MeshPosing posing{scene_, deformation, instances.count(), detail_, budget_, posed_.leftOut, warnings_};
@@ -98,9 +102,8 @@ class Posing {
         }
     }
 
-    bool hasMatrices(uint32_t skin, const std::string& name) {
-        const gltf::Index matrices = scene_.skins[skin].inverseBindMatrices;
-        if (!matrices || hasBytes(scene_, *matrices)) return true;
+    bool isPlacedBySkin(uint32_t skin, const std::string& name) {
+        if (hasMatrices(scene_, skin)) return true;
         warnings_.add(name +
                       " is skinned, and the matrices of its skin are in a buffer that has no URI: it is placed "
                       "by its node");

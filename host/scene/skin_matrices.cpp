@@ -1,8 +1,14 @@
 #include "scene/skin_matrices.h"
 
 #include "scene/accessor_view.h"
+#include "scene/triangle_count.h"
 
 namespace cleave {
+
+bool hasMatrices(const Scene& scene, uint32_t skin) {
+    const gltf::Index matrices = scene.skins[skin].inverseBindMatrices;
+    return !matrices || hasBytes(scene, *matrices);
+}
 
 const std::vector<glm::dmat4>& SkinMatrices::of(uint32_t index) {
     const auto [entry, isNew] = known_.try_emplace(index);

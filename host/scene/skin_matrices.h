@@ -9,6 +9,9 @@
 
 namespace cleave {
 
+// Returns whether the matrices of a skin are there. Where they are not, its meshes are placed by their nodes.
+bool hasMatrices(const Scene& scene, uint32_t skin);
+
 // Joint matrices (joint to world * inverse bind matrix) of skins, each computed when it is first asked for.
 class SkinMatrices {
   public:

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/frame_files.h"
 #include "app/option_values.h"
 #include "base/error.h"
 #include "builders/builder_names.h"
@@ -218,8 +219,65 @@ TEST(Options, RulesOfTheHeuristic) {
     expectRefused({"render", "--small-nodes", "scan"}, "count, sort");
 }
 
+TEST(Options, Times) {
+    EXPECT_FALSE(parse({"render"}).time || parse({"render"}).frames);
+    for (const std::vector<const char*>& command : {std::vector<const char*>{"render", "a.glb"},
+                                                    {"info", "a.glb"},
+                                                    {"bench", "a.glb"},
+                                                    {"trace", "a.glb", "r.npy"}}) {
+        std::vector<const char*> arguments = command;
+        arguments.insert(arguments.end(), {"--time", "-1.5", "--animation", "walk"});
+        EXPECT_EQ(parse(arguments).time, -1.5);
+        EXPECT_EQ(parse(arguments).animation, "walk");
+    }
+    for (const char* time : {"nan", "inf", "1s", ""}) expectRefused({"info", "a.glb", "--time", time}, "--time");
+}
+
+TEST(Options, Frames) {
+    const FrameRange plain = parse({"render", "--fps", "23.976", "--frames", "3:3"}).frames.value();
+    EXPECT_EQ(plain.first, 3u);
+    EXPECT_EQ(plain.last, 3u);
+    EXPECT_EQ(plain.fps, 23.976);
+    EXPECT_EQ(plain.part, 0u);
+    EXPECT_EQ(plain.parts, 1u);
+    EXPECT_FALSE(plain.skipExisting);
+    const FrameRange part =
+        parse({"render", "--frames", "0:240", "--fps", "24", "--part", "2/3", "--skip-existing"}).frames.value();
+    EXPECT_EQ(part.last, 240u);
+    EXPECT_EQ(part.part, 2u);
+    EXPECT_EQ(part.parts, 3u);
+    EXPECT_TRUE(part.skipExisting);
+    for (const char* range : {"3:2", "-1:2", "1", "1:", ":1", "1:2:3", "0:1e3", "1.0:2", " 1:2", "0:1000000000", "a:b"})
+        expectRefused({"render", "--frames", range, "--fps", "1"}, "A not above B");
+    for (const char* fps : {"0", "-1", "nan", "inf", "x"})
+        expectRefused({"render", "--frames", "0:1", "--fps", fps}, "a number above 0");
+    expectRefused({"render", "--frames", "0:1", "--fps", "1e-310"}, "no finite number");
+    for (const char* one : {"2/2", "3/2", "0/0", "-1/2", "1", "1/", "/2", "a/b", "0.5/2"})
+        expectRefused({"render", "--frames", "0:1", "--fps", "1", "--part", one}, "I from 0 to N - 1");
+    expectRefused({"render", "--frames", "0:1"}, "--fps");
+    for (const std::vector<const char*>& alone :
+         {std::vector<const char*>{"--fps", "1"}, {"--part", "0/2"}, {"--skip-existing"}}) {
+        std::vector<const char*> arguments{"render"};
+        arguments.insert(arguments.end(), alone.begin(), alone.end());
+        expectRefused(arguments, "--frames");
+    }
+    expectRefused({"render", "--frames", "0:1", "--fps", "1", "--time", "2"}, "--time");
+    expectRefused({"info", "a.glb", "--frames", "0:1"}, "--frames");
+    for (const char* json : {"d/f_0001.png", "d/../d/f_0000.png", "d/f_123456.png"})
+        expectRefused({"render", "-o", "d/f.png", "--frames", "0:1", "--fps", "1", "--json", json},
+                      "what a frame is called");
+    for (const char* json : {"d/f_1.png", "f_0001.png", "d/f_0001.json", "d/f.png.json", "d/f_x.png"})
+        EXPECT_EQ(refusal({"render", "-o", "d/f.png", "--frames", "0:1", "--fps", "1", "--json", json}), "") << json;
+}
+
+TEST(FrameFiles, HaveFourDigitsOrMore) {
+    EXPECT_EQ(frameFile("f.png", 0), "f_0000.png");
+    EXPECT_EQ(frameFile("a/b.c/f.x.exr", 42), "a/b.c/f.x_0042.exr");
+    EXPECT_EQ(frameFile("f", 12345), "f_12345");
+}
+
 TEST(Options, OptionsOfLaterAreNotTakenYet) {
-    for (const char* option : {"--time", "--frames", "--aperture"}) {
+    for (const char* option : {"--split-moving", "--lazy", "--aperture"}) {
         expectRefused({"render", option, "4"}, option);
         expectRefused({"render", option, "4"}, "--size");
     }

@@ -1,0 +1,20 @@
+// Which nodes move while animations play.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "scene/pose.h"
+
+namespace cleave {
+
+// Returns for each node whether the triangles of its mesh may differ between two times of these animations. They do
+// where a channel whose keys differ moves the node or one above it, a joint of its skin, or the weights of its morph
+// targets; triangles of the others are the same at all times, to the last bit. Throws Error
+// if times of keys do not increase.
+std::vector<bool> movingNodes(const Scene& scene, const std::vector<uint32_t>& animations);
+
+// Returns how many of the posed triangles belong to nodes that move.
+uint64_t countMoving(const PosedScene& posed, const std::vector<bool>& movingNodes);
+
+}  // namespace cleave
