@@ -51,6 +51,9 @@ bool readPng(PngReading& reading, uint32_t width, uint32_t height, uint32_t* pix
     if (setjmp(png_jmpbuf(png))) return false;
     png_set_read_fn(png, &reading, readBytes);
     png_set_user_limits(png, width, height);
+    // Not read: a small file could have any amount of compressed text.
+    static constexpr png_byte kIgnored[] = "iCCP\0zTXt\0iTXt\0tEXt\0eXIf\0sPLT";
+    png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, kIgnored, sizeof(kIgnored) / 5);
     png_read_info(png, reading.info);
     if (png_get_image_width(png, reading.info) != width || png_get_image_height(png, reading.info) != height)
         png_error(png, "it has another size than its head says");
