@@ -30,14 +30,16 @@ std::shared_ptr<TreeUnderTest> buildForTest(Run& run, Builder builder, const Tri
 }
 
 std::vector<TraversalUnderTest> traversalsFor(Run& run, const TriangleSet& set) {
-    const auto onDevice = [&run](Traversal traversal) {
-        return [&run, traversal](const TreeUnderTest& tree, std::span<const Ray> rays) {
-            const TraceMode mode{Query::closest, traversal, TriangleTest::watertight, true};
+    const auto onDevice = [&run](Traversal traversal, Query query) {
+        return [&run, traversal, query](const TreeUnderTest& tree, std::span<const Ray> rays) {
+            const TraceMode mode{query, traversal, TriangleTest::watertight, true};
             return run.device.tracer().trace(*tree.onDevice, rays, mode);
         };
     };
     std::vector<TraversalUnderTest> traversals;
-    for (const Traversal t : kDeviceTraversals) traversals.push_back({nameOf(t), onDevice(t)});
+    for (const Query query : {Query::closest, Query::any})
+        for (const Traversal t : kDeviceTraversals)
+            traversals.push_back({traversalName(nameOf(t), query), onDevice(t, query), UINT64_MAX, query});
     traversals.push_back(hostStack(set, kStackWork, run.options.settings.threads));
     return traversals;
 }

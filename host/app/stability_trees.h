@@ -15,7 +15,8 @@ inline constexpr std::array kDeviceTraversals{Traversal::restart, Traversal::sta
 std::shared_ptr<TreeUnderTest> buildForTest(Run& run, Builder builder, const TriangleSet& set,
                                             const DeviceTriangles& triangles);
 
-// Those of the device, with steps counted, and the walk on the host where it is affordable.
+// Those of the device, for closest and for any hits, with steps counted, and the walk on the host where it is
+// affordable.
 std::vector<TraversalUnderTest> traversalsFor(Run& run, const TriangleSet& set);
 
 }  // namespace cleave

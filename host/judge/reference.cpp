@@ -17,7 +17,7 @@ constexpr double kSmallestT = 0x1p-126;  // what is smaller is flushed
 
 // The reference's answer to a ray: the closest hit whose t, rounded to float once, is in the ray's interval. That
 // is doubtful where t is so close to an end of the interval, or to the largest float, that double's error may decide
-// it.
+// it. Whether t is before 0 is never in doubt: there the exact sign counts.
 struct Answer {
     double t = kNever;
     double low = 0.0;  // PreciseT::low of t
@@ -28,18 +28,17 @@ struct Answer {
     bool isDoubtful() const { return doubtfulT < kNever && doubtfulT <= t * (1.0 + kTolerance) + slack; }
 };
 
-// Rounded to float once, as answers are before they are compared.
+// Rounded to float once, as answers are before they are compared; what is behind the origin stays behind it.
 bool isInside(double t, const Ray& ray) {
-    const double largest = std::numeric_limits<float>::max();
-    if (t > largest) return false;
-    const auto rounded = static_cast<float>(std::max(t, -largest));
+    if (t < 0.0 || t > std::numeric_limits<float>::max()) return false;
+    const auto rounded = static_cast<float>(t);
     return rounded >= ray.tMin && rounded <= ray.tMax;
 }
 
 bool isNearAnEnd(const LineHit& hit, const Ray& ray) {
     const double lo = ray.tMin, hi = ray.tMax;
-    const double loMargin = kEndTolerance * lo + hit.slack;
-    const double hiMargin = std::isinf(hi) ? 0.0 : kEndTolerance * hi + hit.slack;
+    const double loMargin = lo == 0.0 ? 0.0 : kEndTolerance * lo + hit.slack;
+    const double hiMargin = std::isinf(hi) ? 0.0 : hi == 0.0 ? kSmallestT : kEndTolerance * hi + hit.slack;
     return std::fabs(hit.t - lo) < loMargin || std::fabs(hit.t - hi) < hiMargin || hit.t >= kLargestT;
 }
 

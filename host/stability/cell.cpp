@@ -30,8 +30,19 @@ std::string answerText(const Hit& hit) {
 
 bool isSame(const Hit& a, const Hit& b) { return a.t == b.t && a.prim == b.prim && a.u == b.u && a.v == b.v; }
 
+bool isAsExpected(const Hit& hit, const Hit& expected, Query query) {
+    if (query == Query::closest) return isSame(hit, expected);
+    return (hit.prim == kNone) == (expected.prim == kNone) && hit.t >= expected.t;
+}
+
+// What was said of the expected answer, as far as it is about an answer to the query.
+Reference::Judgement judgedAs(const Reference::Judgement& closest, Query query) {
+    const bool isAboutT = closest.fault == Reference::Fault::none || closest.fault == Reference::Fault::wrong;
+    return query == Query::any && isAboutT ? Reference::Judgement{} : closest;
+}
+
 std::string described(size_t i, const Ray& ray, const Hit& hit, const Hit& expected,
-                      const Reference::Judgement& judgement) {
+                      const Reference::Judgement& judgement, Query query) {
     std::ostringstream text;
     text.precision(9);
     text << "ray " << i << ", origin " << pointText(ray.origin) << ", direction " << pointText(ray.direction)
@@ -43,7 +54,7 @@ std::string described(size_t i, const Ray& ray, const Hit& hit, const Hit& expec
         else
             text << "triangle " << judgement.referencePrim << " at t = " << judgement.referenceT;
     }
-    if (!isSame(hit, expected)) text << ", expected " << answerText(expected);
+    if (!isAsExpected(hit, expected, query)) text << ", expected " << answerText(expected);
     return text.str();
 }
 
@@ -69,7 +80,7 @@ std::vector<Reference::Judgement> judgeAll(const Reference& reference, std::span
     return judged;
 }
 
-void count(Cell& cell, const Volley& volley, const Tracer::Result& traced, const Reference& reference) {
+void count(Cell& cell, const Volley& volley, const Tracer::Result& traced, const Reference& reference, Query query) {
     cell.rays = volley.rays.size();
     cell.capped = traced.cappedRays;
     cell.ms = traced.ms;
@@ -77,15 +88,15 @@ void count(Cell& cell, const Volley& volley, const Tracer::Result& traced, const
     bool isBroken = false;
     for (size_t i = 0; i < volley.rays.size(); ++i) {
         const Hit &hit = traced.hits[i], &expected = volley.expected[i];
-        const bool same = isSame(hit, expected);
-        const auto judgement = same ? volley.judged[i] : reference.judge(volley.rays[i], hit, Query::closest);
+        const bool same = isAsExpected(hit, expected, query);
+        const auto judgement = same ? judgedAs(volley.judged[i], query) : reference.judge(volley.rays[i], hit, query);
         cell.hits += hit.prim != kNone ? 1 : 0;
         cell.differing += same ? 0 : 1;
         add(cell, judgement);
         const bool breaks = !same || judgement.verdict == Reference::Verdict::mismatch;
         const bool doubtful = judgement.verdict == Reference::Verdict::undecided;
         if ((breaks && !isBroken) || (doubtful && cell.first.empty()))
-            cell.first = described(i, volley.rays[i], hit, expected, judgement);
+            cell.first = described(i, volley.rays[i], hit, expected, judgement, query);
         isBroken = isBroken || breaks;
     }
     for (const StepCount& steps : traced.steps) cell.mostSteps = std::max(cell.mostSteps, steps.inner + steps.leaves);

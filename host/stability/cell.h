@@ -45,7 +45,8 @@ std::vector<Reference::Judgement> judgeAll(const Reference& reference, std::span
                                            std::span<const Hit> hits, uint32_t threads);
 
 // Fills a cell's counts. Answers that equal the expected ones have been judged already; only others are judged here.
-void count(Cell& cell, const Volley& volley, const Tracer::Result& traced, const Reference& reference);
+// An answer to Query::any is as expected if it is a hit where a hit is expected, and none closer than that.
+void count(Cell& cell, const Volley& volley, const Tracer::Result& traced, const Reference& reference, Query query);
 
 // Why the cell is out of bounds; empty if it is not. Bounds: no wrong, missed or false answer, none that differs, no
 // capped ray, and at most 1 in 100,000 undecided (rounded up) outside of edge families.

@@ -50,7 +50,7 @@ std::vector<Cell> SceneSweep::run(std::shared_ptr<const TreeUnderTest> tree,
                 cell.traversal = traversal.name;
                 cell.family = volley.family->name;
                 cell.isEdgeFamily = volley.family->isEdgeFamily;
-                count(cell, volley, traversal.trace(*tree, volley.rays), reference_);
+                count(cell, volley, traversal.trace(*tree, volley.rays), reference_, traversal.query);
                 cells.push_back(std::move(cell));
             }
     return cells;
@@ -67,6 +67,10 @@ TraversalUnderTest hostStack(const TriangleSet& set, uint64_t mostWork, uint32_t
         return result;
     };
     return {"host-stack", trace, mostWork};
+}
+
+std::string traversalName(const std::string& traversal, Query query) {
+    return query == Query::any ? traversal + "-any" : traversal;
 }
 
 }  // namespace cleave

@@ -20,9 +20,10 @@ struct TreeUnderTest {
 
 struct TraversalUnderTest {
     std::string name;
-    // Closest hits, and how many steps were taken where that is counted.
+    // Answers to `query`, and how many steps were taken where that is counted. The first of several gives closest hits.
     std::function<Tracer::Result(const TreeUnderTest& tree, std::span<const Ray> rays)> trace;
     uint64_t mostWork = UINT64_MAX;  // it is left out where rays times triangles are more
+    Query query = Query::closest;
 };
 
 struct SweepSettings {
@@ -59,5 +60,8 @@ class SceneSweep {
 
 // stackWalk (judge/oracle.h) on the host.
 TraversalUnderTest hostStack(const TriangleSet& set, uint64_t mostWork, uint32_t threads = 2);
+
+// What a traversal is called in a table: any-hit queries by it have a row of their own.
+std::string traversalName(const std::string& traversal, Query query);
 
 }  // namespace cleave

@@ -10,6 +10,7 @@
 #ifndef CLEAVE_SHARED_TRIANGLE_H
 #define CLEAVE_SHARED_TRIANGLE_H
 #include "box.h"
+#include "exact_height.h"
 #include "ray.h"
 
 CLEAVE_BEGIN
@@ -149,20 +150,6 @@ CLEAVE_FN dvec3 shearedAlong(dvec3 o, dvec3 d, uint k, dvec3 v) {
                  differenceOfDifferences(v[j] * d[k], v[k] * d[j], o[j] * d[k], o[k] * d[j]), 0.0);
 }
 
-// Exact rounding error of a * b (Dekker's two-product, 1971, with Veltkamp's split at 27 bits); `product` is a * b,
-// rounded.
-CLEAVE_FN double productRest(double a, double b, double product) {
-    precise double aBig = double(134217729u) * a;
-    precise double aHigh = aBig - (aBig - a);
-    precise double aLow = a - aHigh;
-    precise double bBig = double(134217729u) * b;
-    precise double bHigh = bBig - (bBig - b);
-    precise double bLow = b - bHigh;
-    precise double rest = ((aHigh * bHigh - product) + aHigh * bLow) + aLow * bHigh;
-    rest = rest + aLow * bLow;
-    return rest;
-}
-
 // Tells on which side of the edge from a to b the ray passes, with the exact sign. Rounding is monotone, so a
 // difference of rounded products has the exact sign or is 0; if it is 0, the rounding errors decide. (Otherwise all
 // edges of a triangle 2^53 times smaller than its distance from the ray would come out as 0, and it would always be
@@ -199,12 +186,16 @@ CLEAVE_FN Hit resolveTriangle(vec3 origin, vec3 direction, vec3 va, vec3 vb, vec
     if (negative == positive) return h;  // outside an edge, or the ray lies in the triangle's plane
     dvec3 n = preciseCross(dvec3(vb) - dvec3(va), dvec3(vc) - dvec3(va));
     precise double slope = preciseDot(n, d);
-    // Measured from the nearest vertex: the error shrinks with its distance, so a ray from a vertex hits at t = 0.
-    precise double height = preciseDot(n, shorterOf(shorterOf(a, b), c));
+    // Measured from the nearest vertex: the error shrinks with its distance.
+    dvec3 from = shorterOf(shorterOf(a, b), c);
+    precise double height = preciseDot(n, from);
+    height = certainHeight(height, from, o, dvec3(va), dvec3(vb), dvec3(vc));
     precise double sum = wa + wb;
     sum = sum + wc;
     if (slope == 0.0) return h;
-    h.t = float(height / slope);
+    precise double t = height / slope;
+    h.t = float(t);
+    if (t < 0.0 && h.t > -kSmallestNormal) h.t = -kSmallestNormal;  // behind the origin is not at it
     h.u = float(wb / sum);
     h.v = float(wc / sum);
     return h;

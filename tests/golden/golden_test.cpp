@@ -4,10 +4,10 @@
 
 #include <stb/stb_image.h>
 #include <cstdlib>
-#include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
+
+#include "support/program.h"
 
 namespace {
 
@@ -30,8 +30,8 @@ void expectGolden(const std::string& name, const std::string& arguments) {
     SCOPED_TRACE(name);
     const std::string golden = std::string(CLEAVE_SOURCE) + "/tests/golden/" + name + ".png";
     const bool writes = std::getenv("CLEAVE_GOLDEN_WRITE") != nullptr;
-    const std::string out =
-        writes ? golden : (std::filesystem::temp_directory_path() / ("cleave_golden_" + name + ".png")).string();
+    const cleave::test::TemporaryFolder folder;  // of this run: others may be under way
+    const std::string out = writes ? golden : (folder / (name + ".png")).string();
     const std::string command = "CLEAVE_VALIDATION=1 " CLEAVE_PROGRAM " render " CLEAVE_SOURCE "/scenes/" + arguments +
                                 " --size 96x64 --quiet -o " + out;
     ASSERT_EQ(std::system(command.c_str()), 0);
@@ -47,7 +47,6 @@ void expectGolden(const std::string& name, const std::string& arguments) {
         differing += most > 2;
     }
     EXPECT_LE(differing, want.width * want.height / 200) << "of " << want.width * want.height << " pixels";
-    if (!writes) std::filesystem::remove(out);
 }
 
 }  // namespace

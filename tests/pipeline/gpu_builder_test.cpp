@@ -14,9 +14,6 @@ namespace cleave::test {
 
 namespace {
 
-// Whether this device must give the twin's bits: lavapipe does, others are reported.
-bool mustEqualTwin() { return device().name().find("llvmpipe") != std::string::npos; }
-
 GpuBuilder::Result expectTwinsTree(const std::vector<Triangle>& world, const BuildSettings& settings) {
     const TriangleSet set = makeTriangleSet(world);
     GpuBuilder builder(device());
@@ -27,10 +24,7 @@ GpuBuilder::Result expectTwinsTree(const std::vector<Triangle>& world, const Bui
     const KdTree tree = readBack(*first.tree);
     EXPECT_EQ(treeHash(tree), treeHash(readBack(*second.tree))) << "two runs differ";
     EXPECT_EQ(first.memoryLimited, twin.memoryLimited);
-    if (mustEqualTwin())
-        EXPECT_EQ(treeHash(tree), treeHash(twin.tree));
-    else if (treeHash(tree) != treeHash(twin.tree))
-        std::printf("note: this device's tree differs from the twin's\n");
+    EXPECT_EQ(treeHash(tree), treeHash(twin.tree));
     const ValidationReport report = validate(tree, set, depthLimit(settings, set.included.size()));
     EXPECT_TRUE(report.ok()) << report.errors.front();
     return first;

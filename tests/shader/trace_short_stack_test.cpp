@@ -9,6 +9,7 @@
 namespace cleave::test {
 
 TEST(TraceShortStack, EqualsBruteForceOverEveryTree) { expectAnswersOverTrees(Traversal::shortStack); }
+TEST(TraceShortStack, HitsAtZeroWhatTheRayStartsIn) { expectHitsAtZero(Traversal::shortStack); }
 
 // A child waits at every depth, far more than the stack holds.
 TEST(TraceShortStack, FindsAgainWhatFellOut) {

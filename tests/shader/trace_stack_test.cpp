@@ -9,6 +9,7 @@
 namespace cleave::test {
 
 TEST(TraceStack, EqualsBruteForceOverEveryTree) { expectAnswersOverTrees(Traversal::stack); }
+TEST(TraceStack, HitsAtZeroWhatTheRayStartsIn) { expectHitsAtZero(Traversal::stack); }
 
 TEST(TraceStack, HoldsAChildOfEveryDepth) {
     const DeepChain chain = deepChain();

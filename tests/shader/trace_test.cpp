@@ -56,6 +56,8 @@ TEST(Trace, GivesTiesToTheLowestNumber) {
     expectAnswers(set, tree, {{{0.2f, 0.2f, 1.0f}, 0.0f, {0, 0, -1}, infinity()}}, Traversal::restart);
 }
 
+TEST(Trace, HitsAtZeroWhatTheRayStartsIn) { expectHitsAtZero(Traversal::restart); }
+
 TEST(Trace, ReachesTheDeepestLeaf) {
     // Both words of the trail are used.
     const DeepChain chain = deepChain();

@@ -24,10 +24,11 @@ Tracer& tracer() {
     return *made;
 }
 
-TraversalUnderTest onDevice(const char* name, Traversal traversal) {
-    return {name, [traversal](const TreeUnderTest& tree, std::span<const Ray> rays) {
-                return tracer().trace(*tree.onDevice, rays, {.traversal = traversal, .countSteps = true});
-            }};
+TraversalUnderTest onDevice(const char* name, Traversal traversal, Query query = Query::closest) {
+    const auto trace = [traversal, query](const TreeUnderTest& tree, std::span<const Ray> rays) {
+        return tracer().trace(*tree.onDevice, rays, {.query = query, .traversal = traversal, .countSteps = true});
+    };
+    return {traversalName(name, query), trace, UINT64_MAX, query};
 }
 
 std::shared_ptr<TreeUnderTest> hostTree(const char* builder, const TriangleSet& set) {
@@ -43,8 +44,9 @@ std::vector<Cell> sweep(const StabilityCase& made) {
     const TriangleSet set = makeTriangleSet(world);
     SceneSweep scene(std::string(made.name), world, set, kSettings);
     const std::vector<TraversalUnderTest> traversals{
-        onDevice("restart", Traversal::restart), onDevice("stack", Traversal::stack),
-        onDevice("short-stack", Traversal::shortStack), hostStack(set, 1'000'000)};
+        onDevice("restart", Traversal::restart),         onDevice("stack", Traversal::stack),
+        onDevice("short-stack", Traversal::shortStack),  onDevice("restart", Traversal::restart, Query::any),
+        onDevice("stack", Traversal::stack, Query::any), hostStack(set, 1'000'000)};
     std::vector<Cell> cells;
     for (const char* builder : {"exact", "spatial-median"}) {
         const std::shared_ptr<TreeUnderTest> tree = hostTree(builder, set);
@@ -81,8 +83,9 @@ class Spoilt : public testing::Test {
         set = makeTriangleSet(world);
     }
     // The cells of one family where every hit went through `spoil`.
-    std::vector<Cell> cells(const std::function<void(Hit&)>& spoil) {
+    std::vector<Cell> cells(const std::function<void(Hit&)>& spoil, Query query = Query::closest) {
         TraversalUnderTest walk = hostStack(set, UINT64_MAX);
+        walk.query = query;
         walk.trace = [good = walk.trace, spoil](const TreeUnderTest& tree, std::span<const Ray> rays) {
             Tracer::Result result = good(tree, rays);
             for (Hit& hit : result.hits)
@@ -123,6 +126,12 @@ TEST_F(Spoilt, TheLastBitCounts) {
     const Cell moved = random(cells([](Hit& hit) { hit.t = nextFloat(hit.t, true); }));
     EXPECT_GE(moved.maxUlpError, 0.5);
     EXPECT_EQ(moved.differing, 1u);
+}
+TEST_F(Spoilt, AnyHitsMayBeLaterAndNoMore) {
+    EXPECT_EQ(whyBroken(random(cells([](Hit& hit) { hit = {hit.t * 2.0f, 3 - hit.prim, 0, 0}; }, Query::any))), "");
+    EXPECT_EQ(whyBroken(random(cells([](Hit& hit) { hit.t *= 0.5f; }, Query::any))), "1 not as by brute force");
+    const std::vector<Cell> missing = cells([](Hit& hit) { hit = missedHit(); }, Query::any);
+    EXPECT_EQ(whyBroken(random(missing)), "1 missed, 1 not as by brute force");
 }
 TEST_F(Spoilt, TheRunFailsAndNamesTheCell) {
     const std::vector<Cell> all = cells([](Hit& hit) { hit = missedHit(); });

@@ -1,4 +1,8 @@
 // The device of a test program: opened once, with validation on; any validation message fails the program's tests.
+//
+// One rule for all devices: what decides a tree, an answer or a bit of a hit is integer or correctly rounded, so that
+// every device must give the bits of the twin, and tests compare with ==. Colours are not under that rule; where pow(),
+// exp() or a device's division comes in, the test names its tolerance.
 #pragma once
 
 #include <functional>

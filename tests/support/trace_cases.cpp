@@ -85,6 +85,37 @@ void expectAnswersOverTrees(Traversal traversal) {
     }
 }
 
+void expectHitsAtZero(Traversal traversal) {
+    constexpr int kTriangles = 500, kParts = 61;
+    constexpr uint32_t kSeed = 9;
+    SCOPED_TRACE("seed " + std::to_string(kSeed));
+    std::mt19937 random(kSeed);
+    const auto whole = [&random](int bits) { return static_cast<int>(random() >> (32 - bits)) - (1 << (bits - 1)); };
+    const auto point = [&whole](int bits) {
+        const int x = whole(bits), y = whole(bits);
+        return glm::ivec3(x, y, whole(bits));
+    };
+    const auto scaled = [](const glm::ivec3& p) { return vec3(p) * 0x1p-24f; };
+    std::vector<Triangle> triangles;
+    std::vector<Ray> rays;
+    for (int n = 0; n < kTriangles; n++) {
+        const glm::ivec3 a = point(23), e = point(17), f = point(17);
+        triangles.push_back({scaled(a), scaled(a + kParts * e), scaled(a + kParts * f)});
+        for (int i = 1; i + 1 < kParts; i += 7)
+            rays.push_back({scaled(a + i * e + (kParts - i - 1) * f), 0.0f, vec3(point(20)) * 0x1p-20f, infinity()});
+    }
+    const TriangleSet set = makeTriangleSet(triangles);
+    const KdTree tree = buildExact(set, BuildSettings{});
+    expectAnswers(set, tree, rays, traversal);
+    Tracer tracer(device());
+    const Tracer::Result result = tracer.trace(*uploadTree(device(), set, tree), rays, {.traversal = traversal});
+    const size_t perTriangle = rays.size() / kTriangles;
+    for (size_t i = 0; i < rays.size(); i++) {
+        ASSERT_EQ(result.hits[i].t, 0.0f) << "ray " << i;
+        ASSERT_LE(result.hits[i].prim, i / perTriangle) << "ray " << i;
+    }
+}
+
 DeepChain deepChain() {
     std::vector<Triangle> triangles;
     KdTree tree;

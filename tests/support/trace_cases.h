@@ -20,6 +20,10 @@ void expectAnswers(const TriangleSet& set, const KdTree& tree, const std::vector
 // The same over sets of no triangle to 500, with trees by exact and by spatial-median.
 void expectAnswersOverTrees(Traversal traversal);
 
+// Rays that start exactly in a triangle, at points with whole coordinates of slanted planes, where double arithmetic
+// has them before or behind it: each hits its triangle, or one of a lower number that crosses it there, at t = 0.
+void expectHitsAtZero(Traversal traversal);
+
 // A chain of planes down to the deepest leaf that a tree may have. Each cell on the way holds a triangle, so that a
 // cell that is passed over shows; a ray along the chain leaves a child behind at every plane.
 struct DeepChain {

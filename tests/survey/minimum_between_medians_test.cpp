@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <optional>
 
@@ -156,12 +157,15 @@ TEST(MinimumBetweenMedians, DoesNotHoldForStraddlingBoxes) {
     EXPECT_FALSE(betweenMedians(scene, 0).holds(2 * 4));
 }
 
-// How often it does not. A plane is counted as outside if no plane of that cost lies between the medians.
+// How often it does not, in per cent of the planes, as docs/survey.md says: everything here is in exact integers. A
+// plane is counted as outside if no plane of that cost lies between the medians.
 TEST(MinimumBetweenMedians, IsMissedByStraddlingBoxesThisOften) {
     std::printf(
         "boxes, seeds 0 to %u: least cost (4.2) outside the medians\n  largest box  planes  outside  per cent\n",
         kSeeds - 1);
-    for (const float size : {0.0f, 0.05f, 0.2f, 0.5f, 1.0f}) {
+    constexpr std::array<std::pair<float, double>, 5> kShares{
+        {{0.0f, 0.0}, {0.05f, 2.3}, {0.2f, 14.7}, {0.5f, 39.6}, {1.0f, 50.3}}};
+    for (const auto& [size, share] : kShares) {
         uint32_t outside = 0;
         for (uint32_t seed = 0; seed < kSeeds; ++seed) {
             const Scene scene = boxScene(seed, size);
@@ -183,13 +187,11 @@ TEST(MinimumBetweenMedians, IsMissedByStraddlingBoxesThisOften) {
                 outside += !inside || *inside > *anywhere;
             }
         }
-        std::printf("  %11.2f  %6u  %7u  %8.1f\n", static_cast<double>(size), 3 * kSeeds, outside,
-                    100.0 * outside / (3 * kSeeds));
+        const double found = 100.0 * outside / (3 * kSeeds);
+        std::printf("  %11.2f  %6u  %7u  %8.1f\n", static_cast<double>(size), 3 * kSeeds, outside, found);
         RecordProperty("outsideOf" + std::to_string(3 * kSeeds) + "AtSize" + std::to_string(size),
                        static_cast<int>(outside));
-        if (size == 0.0f) {
-            EXPECT_EQ(outside, 0u) << "points";
-        }
+        EXPECT_NEAR(found, share, size == 0.0f ? 0.0 : 0.05) << "boxes of up to " << size;
     }
 }
 

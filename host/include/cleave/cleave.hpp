@@ -27,7 +27,7 @@ namespace cleave {
 // may change.
 inline constexpr uint32_t kApiVersion = 4;
 inline constexpr uint32_t kTreeFormat = 2;
-inline constexpr uint32_t kAnswersVersion = 1;
+inline constexpr uint32_t kAnswersVersion = 2;
 
 // The device features that a Context needs. Chain `vulkan12` and `vulkan13` into VkDeviceCreateInfo, or set the same
 // members in structs of your own.
