@@ -7,6 +7,7 @@ namespace cleave {
 
 void runRender(Run& run);
 void runTrace(Run& run);
+void runQuery(Run& run);
 void runInfo(Run& run);
 void runBench(Run& run);
 void runSurvey(Run& run);  // bench --survey

@@ -20,8 +20,9 @@
 namespace cleave {
 namespace {
 
-constexpr std::array<std::pair<const char*, Command>, 7> kCommands = {{{"render", Command::render},
+constexpr std::array<std::pair<const char*, Command>, 8> kCommands = {{{"render", Command::render},
                                                                        {"trace", Command::trace},
+                                                                       {"query", Command::query},
                                                                        {"info", Command::info},
                                                                        {"bench", Command::bench},
                                                                        {"report", Command::report},
@@ -265,16 +266,69 @@ void addRender(CLI::App& app, Options& options) {
     addOutput(app, options);
 }
 
+constexpr uint64_t kMostHitsPerRay = 1u << 20;
+
 void addTrace(CLI::App& app, Options& options) {
     addScene(app, options, ".gltf or .glb", true);
     app.add_option("RAYS", options.rays, "rays as .npy: float32 (N, 8): origin, tMin, direction, tMax")
         ->type_name("FILE")
         ->required();
     app.add_option("-o,--output", options.output, "the hits (hits.npy)")->type_name("FILE");
-    app.add_flag_callback(
+    CLI::Option* any = app.add_flag_callback(
         "--any", [&options] { options.query = Query::any; }, "any hit will do, not the closest");
+    const auto first = [](const std::string& given) { return parseWhole(given, 1, kMostHitsPerRay); };
+    CLI::Option* all = addParsed<uint64_t>(
+        app, "--all", "K", "the first K hits, edges and vertices of closed surfaces once", first,
+        [&options](uint64_t k) {
+            options.query = Query::all;
+            options.hitsPerRay = static_cast<uint32_t>(k);
+        },
+        "a whole number from 1 to " + std::to_string(kMostHitsPerRay));
+    CLI::Option* count = app.add_flag_callback(
+        "--count", [&options] { options.query = Query::count; }, "how many hits there are, counted in the same way");
+    app.add_flag_callback(
+           "--signed", [&options] { options.query = Query::signedCount; },
+           "of --count: hits from behind a triangle less those from its front")
+        ->needs(count);
     addBuild(app, options, false);
     addTraversal(app, options, false);
+    CLI::Option* const own[] = {any, all, count};
+    for (CLI::Option* one : own)
+        for (CLI::Option* other : own)
+            if (one != other) one->excludes(other);
+    for (const char* fixed : {"--traversal", "--triangle-test", "--check"}) {
+        all->excludes(fixed);
+        count->excludes(fixed);
+    }
+    addOutput(app, options);
+}
+
+void addQuery(CLI::App& app, Options& options) {
+    addScene(app, options, ".gltf or .glb", true);
+    app.add_option("DATA", options.rays, "points (N, 3), or boxes (N, 2, 3), as .npy of float32")
+        ->type_name("FILE")
+        ->required();
+    app.add_option("-o,--output", options.output, "the answers (out.npy)")->type_name("FILE");
+    CLI::App* kind = app.add_option_group("QUESTION", "what is asked, one of");
+    CLI::Option* nearest = kind->add_flag_callback(
+        "--nearest", [&options] { options.question = Question::nearest; }, "of each point: the nearest triangle");
+    kind->add_flag_callback(
+        "--contains", [&options] { options.question = Question::contains; },
+        "of each point: whether it is inside of the scene, which must be closed");
+    kind->add_flag_callback(
+        "--overlaps", [&options] { options.question = Question::overlaps; },
+        "of each box: the triangles that meet it, as pairs of numbers");
+    kind->require_option(1);
+    const auto radius = [](const std::string& given) {
+        const auto r = parseNumber(given);
+        return r && *r >= 0.0 ? r : std::nullopt;
+    };
+    addParsed<double>(
+        app, "--within", "R", "of --nearest: look no farther than this", radius,
+        [&options](double r) { options.within = static_cast<float>(std::min(r, double{kLargestFloat})); },
+        "a number of 0 or more")
+        ->needs(nearest);
+    addBuild(app, options, false);
     addOutput(app, options);
 }
 
@@ -357,6 +411,7 @@ std::unique_ptr<CLI::App> makeApp(Options& options) {
     app->require_subcommand(1);
     addRender(*app->add_subcommand("render", "make a picture of a scene"), options);
     addTrace(*app->add_subcommand("trace", "answer the rays of a file"), options);
+    addQuery(*app->add_subcommand("query", "ask about the points or boxes of a file"), options);
     addInfo(*app->add_subcommand("info", "describe a scene and its tree"), options);
     addBench(*app->add_subcommand("bench", "time builds and rays, after checking them"), options);
     addReport(*app->add_subcommand("report", "error against run time, as one page"), options);
@@ -383,6 +438,7 @@ Command commandOf(const std::string& name) {
 
 const char* defaultOutput(Command command) {
     if (command == Command::trace) return "hits.npy";
+    if (command == Command::query) return "out.npy";
     return command == Command::report ? "report" : "out.png";
 }
 
@@ -400,7 +456,8 @@ void complete(Options& options) {
         (options.builders.empty() || std::any_of(options.builders.begin(), options.builders.end(), hasFewBins)))
         throw UsageError("--bins: gpu and twin have at most " + std::to_string(kBins) + "; for " +
                          std::to_string(options.settings.bins) + " name another --builder");
-    const bool writes = options.command == Command::render || options.command == Command::trace;
+    const bool writes =
+        options.command == Command::render || options.command == Command::trace || options.command == Command::query;
     if (writes && options.json && options.json->lexically_normal() == options.output.lexically_normal())
         throw UsageError("--json and -o name the same file");
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -17,14 +18,17 @@
 
 namespace cleave {
 
-enum class Command { render, trace, info, bench, report, stability, devices };
+enum class Command { render, trace, query, info, bench, report, stability, devices };
+
+// What the command query asks.
+enum class Question { none, nearest, contains, overlaps };
 
 struct Options {
     Command command = Command::devices;
     std::string line;                           // as it was typed, for figures to say where they come from
     std::vector<std::filesystem::path> scenes;  // render: may be empty, for the default scene; bench: several
-    std::filesystem::path rays;
-    std::filesystem::path output;  // out.png, hits.npy or the folder of a report
+    std::filesystem::path rays;                 // or points, or boxes
+    std::filesystem::path output;               // out.png, hits.npy or the folder of a report
     std::optional<std::filesystem::path> json;
     bool quiet = false;
 
@@ -47,6 +51,9 @@ struct Options {
     std::optional<double> fov;  // vertical, degrees
 
     Query query = Query::closest;
+    uint32_t hitsPerRay = 1;  // of Query::all
+    Question question = Question::none;
+    float within = std::numeric_limits<float>::infinity();  // the farthest that a nearest point may be
     std::vector<Traversal> traversals;  // empty: the device's own; bench: several, all with each of the tests
     std::vector<TriangleTest> triangleTests{TriangleTest::watertight};
     uint32_t runs = 5;

@@ -15,6 +15,7 @@ void cmdTrace(VkCommandBuffer commands, const Context& context, const TraceInfo&
     push.trails = info.trails;
     push.rayCount = info.count;
     push.stepLimit = info.stepLimit != 0 ? info.stepLimit : kDefaultStepLimit;
+    push.hitsPerRay = info.hitsPerRay;
     push.flags = (info.fromHits ? kTraceFromHits : 0u) | (info.resumes ? kTraceResumes : 0u) |
                  (info.trails ? kTraceTrails : 0u) | (info.counters ? kTraceCounters : 0u);
     state.recorder(commands).dispatch(state.kernelOf(info.mode), push, ceilDiv(info.count, kGroup));
