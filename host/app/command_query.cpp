@@ -48,7 +48,7 @@ Answered answer(Searcher& searcher, const DeviceTree& tree, const Options& optio
         return {npyOfBools(found.isInside), found.ms, found.invalid, "inside", static_cast<uint64_t>(count)};
     }
     const Searcher::Overlaps found = searcher.overlaps(tree, asked.boxes);
-    return {npyOf(std::span<const uvec2>(found.pairs)), found.ms, found.invalid, "pairs", found.pairs.size()};
+    return {npyOfPairs(found.pairs), found.ms, found.invalid, "pairs", found.pairs.size()};
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ Traced traceAll(Run& run, const DeviceTree& tree, const std::vector<Ray>& rays) 
 Traced traceCount(Run& run, const DeviceTree& tree, const std::vector<Ray>& rays) {
     const Options& options = run.options;
     const Tracer::Counts found = run.device.tracer().count(tree, rays, options.query == Query::signedCount);
-    writeFile(options.output, npyOf(std::span<const int32_t>(found.counts)));
+    writeFile(options.output, npyOfCounts(found.counts));
     int64_t sum = 0;
     uint64_t odd = 0;
     for (const int32_t count : found.counts) {

@@ -353,8 +353,12 @@ void addBench(CLI::App& app, Options& options) {
         "nodes, triangle tests and lanes in use per ray, time per pass and level of a build on the device, too");
     app.add_flag("--peers", options.peers,
                  "beside other ray tracers: the driver's own, Embree, a plain stack walk in C++");
-    for (const char* fixed : {"--builder", "--traversal", "--triangle-test", "--peers", "--work"})
+    CLI::Option* queries =
+        app.add_flag("--queries", options.queries, "all hits, counts, nearest points, containment, overlaps instead");
+    for (const char* fixed : {"--builder", "--traversal", "--triangle-test", "--peers", "--work", "--queries"})
         survey->excludes(fixed);
+    for (const char* other : {"--traversal", "--triangle-test", "--peers", "--work", "--check"})
+        queries->excludes(other);
     addOutput(app, options);
 }
 
@@ -385,20 +389,24 @@ void addCases(CLI::App& app, Options& options) {
     app.add_option_function<std::string>("--cases", read, "these cases only")->type_name("NAME,...");
 }
 
-constexpr uint64_t kLeakRays = 100'000'000;
+constexpr uint64_t kManyRays = 100'000'000;
 
 void addStability(CLI::App& app, Options& options) {
     app.add_option("SCENE", options.scenes, ".gltf or .glb, further cases")->type_name("FILE");
     app.add_flag("--quick", options.quick, "fewer rays and builders, smaller scenes: about a minute");
     addCases(app, options);
     addWhole(app, "--rays", "rays per case and family (4000; quick: 400)", options.rayCount, 1, 1u << 24);
-    const auto leaks = [&options](const std::string& given) {
-        options.leaks = given.empty() ? kLeakRays : parseWhole(given, 1, uint64_t{1} << 40);
-        if (!options.leaks) throw CLI::ValidationError("--leaks", "'" + given + "' is not a whole number above 0");
+    const auto addRays = [&app](const std::string& name, std::optional<uint64_t>& rays, const std::string& text) {
+        const auto read = [&rays, name](const std::string& given) {
+            rays = given.empty() ? kManyRays : parseWhole(given, 1, uint64_t{1} << 40);
+            if (!rays) throw CLI::ValidationError(name, "'" + given + "' is not a whole number above 0");
+        };
+        return app.add_option_function<std::string>(name, read, text)->type_name("N")->expected(0, 1);
     };
-    app.add_option_function<std::string>("--leaks", leaks, "only: N rays (100,000,000) from inside of closed meshes")
-        ->type_name("N")
-        ->expected(0, 1);
+    CLI::Option* leaks =
+        addRays("--leaks", options.leaks, "only: N rays (100,000,000) from inside of closed meshes, which must hit");
+    addRays("--parity", options.parity, "only: N lines (100,000,000) through closed meshes, counted; all must be even")
+        ->excludes(leaks);
     addWhole(app, "--seed", "of all cases and rays (1)", options.seed, 0, UINT64_MAX);
     addBuild(app, options, true);
     addOutput(app, options);

@@ -58,15 +58,17 @@ struct Options {
     std::vector<TriangleTest> triangleTests{TriangleTest::watertight};
     uint32_t runs = 5;
     bool interior = false;
-    bool work = false;    // bench: what rays do on their way, too
-    bool peers = false;   // bench, report: other ray tracers too, on the same rays
-    bool survey = false;  // bench: the survey's builders and tables instead of `builders`
+    bool work = false;     // bench: what rays do on their way, too
+    bool peers = false;    // bench, report: other ray tracers too, on the same rays
+    bool queries = false;  // bench: the other queries instead of closest and any hits
+    bool survey = false;   // bench: the survey's builders and tables instead of `builders`
 
     bool quick = false;
     std::vector<std::string> cases;  // of stability, by name; empty: all
     uint64_t rayCount = 0;           // per case and family of rays; 0: as many as fit the time
     uint64_t seed = 1;
-    std::optional<uint64_t> leaks;  // shoot so many rays from inside of closed meshes instead
+    std::optional<uint64_t> parity;  // count so many lines through closed meshes instead
+    std::optional<uint64_t> leaks;   // shoot so many rays from inside of closed meshes instead
 };
 
 // A text to print instead of a run: help or version.

@@ -29,10 +29,10 @@ std::vector<std::byte> npyOf(std::span<const Hit> hits, uint32_t hitsPerRow);
 // Nearest points: hits whose t is called distance.
 std::vector<std::byte> npyOfNearest(std::span<const Hit> nearest);
 // '<i4', shape (N,).
-std::vector<std::byte> npyOf(std::span<const int32_t> counts);
+std::vector<std::byte> npyOfCounts(std::span<const int32_t> counts);
 // '|b1', shape (N,), of bytes that are 0 or 1.
 std::vector<std::byte> npyOfBools(std::span<const uint8_t> values);
 // '<u4', shape (M, 2).
-std::vector<std::byte> npyOf(std::span<const uvec2> pairs);
+std::vector<std::byte> npyOfPairs(std::span<const uvec2> pairs);
 
 }  // namespace cleave
