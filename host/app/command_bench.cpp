@@ -113,6 +113,7 @@ Json benchScene(Run& run, const std::filesystem::path& file) {
 void runBench(Run& run) {
     if (run.options.survey) return runSurvey(run);
     if (run.options.json) requireWritable(*run.options.json);
+    if (run.options.queries) return runQueryBench(run);
     Json scenes = Json::array();
     for (const std::filesystem::path& file : run.options.scenes) scenes.push_back(benchScene(run, file));
     writeReport(run, scenes.size() == 1 ? scenes.front() : Json{{"scenes", scenes}});

@@ -64,6 +64,7 @@ void runStability(Run& run) {
     const Options& options = run.options;
     if (options.json) requireWritable(*options.json);
     if (options.leaks) return runLeaks(run);
+    if (options.parity) return runParity(run);
     std::vector<SceneFigures> scenes;
     size_t index = 0;
     for (const StabilityCase& made : stabilityCases()) {

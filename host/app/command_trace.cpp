@@ -1,10 +1,87 @@
+#include <algorithm>
+
 #include "app/commands.h"
 #include "app/report.h"
 #include "base/text.h"
+#include "figures/timing.h"
 #include "formats/npy.h"
 #include "formats/write_file.h"
 
 namespace cleave {
+namespace {
+
+// What a query leaves to be reported.
+struct Traced {
+    Json json;
+    double ms = 0.0;
+    uint64_t invalidRays = 0;
+    uint64_t cappedRays = 0;
+    CheckResult check;
+    std::string told;  // the line about the output
+};
+
+Traced traceHits(Run& run, Session& session, const DeviceTree& tree, const std::vector<Ray>& rays) {
+    const Options& options = run.options;
+    const TraceMode mode{options.query, run.traversal(), options.triangleTests.front(), false};
+    const Tracer::Result found = run.device.tracer().trace(tree, rays, mode);
+    // Hits are written even if the check fails, so that they can be inspected.
+    writeFile(options.output, npyOf(found.hits));
+    Traced traced{{}, found.ms, found.invalidRays, found.cappedRays, {}, {}};
+    traced.json = traceJson(mode.traversal, mode.test, rays.size(), found.ms, found.invalidRays, found.cappedRays);
+    if (options.check > 0) {
+        traced.check = session.check(rays, found.hits, options.query, options.check);
+        traced.told = checkedLine(traced.check);
+    }
+    traced.told += "hits      " + options.output.string() + "\n";
+    return traced;
+}
+
+// The figures of queries that choose their own traversal.
+Json onceJson(size_t rays, double ms, uint64_t invalidRays) {
+    return {{"traversal", nameOf(Traversal::shortStack)},
+            {"rays", rays},
+            {"ms", numberJson(ms)},
+            {"mraysPerSecond", numberJson(mraysPerSecond(rays, ms))},
+            {"invalidRays", invalidRays}};
+}
+
+Traced traceAll(Run& run, const DeviceTree& tree, const std::vector<Ray>& rays) {
+    const Options& options = run.options;
+    const Tracer::Result found = run.device.tracer().all(tree, rays, options.hitsPerRay);
+    writeFile(options.output, npyOf(found.hits, options.hitsPerRay));
+    const auto hits = static_cast<uint64_t>(
+        std::count_if(found.hits.begin(), found.hits.end(), [](const Hit& hit) { return hit.prim != kNone; }));
+    Json json = onceJson(rays.size(), found.ms, found.invalidRays);
+    json["hitsPerRay"] = options.hitsPerRay;
+    json["hits"] = hits;
+    return {json, found.ms, found.invalidRays, 0, {}, grouped(hits) + " hits in " + options.output.string() + "\n"};
+}
+
+Traced traceCount(Run& run, const DeviceTree& tree, const std::vector<Ray>& rays) {
+    const Options& options = run.options;
+    const Tracer::Counts found = run.device.tracer().count(tree, rays, options.query == Query::signedCount);
+    writeFile(options.output, npyOfCounts(found.counts));
+    int64_t sum = 0;
+    uint64_t odd = 0;
+    for (const int32_t count : found.counts) {
+        sum += count;
+        odd += (count & 1) != 0 ? 1 : 0;
+    }
+    Json json = onceJson(rays.size(), found.ms, found.invalidRays);
+    json["hits"] = sum;
+    json["oddCounts"] = odd;
+    return {json, found.ms, found.invalidRays, 0, {}, "counts    " + options.output.string() + "\n"};
+}
+
+Traced answered(Run& run, Session& session, const DeviceTree& tree, const std::vector<Ray>& rays) {
+    run.progress.phase("tracing");
+    const Query query = run.options.query;
+    if (query == Query::all) return traceAll(run, tree, rays);
+    if (query == Query::count || query == Query::signedCount) return traceCount(run, tree, rays);
+    return traceHits(run, session, tree, rays);
+}
+
+}  // namespace
 
 void runTrace(Run& run) {
     const Options& options = run.options;
@@ -14,26 +91,13 @@ void runTrace(Run& run) {
     Session session(run, options.scenes.front());
     BuiltTree built = session.build(options.builders.front());
     const DeviceTree& tree = session.upload(built);
-    run.progress.phase("tracing");
-    const TraceMode mode{options.query, run.traversal(), options.triangleTests.front(), false};
-    const Tracer::Result traced = run.device.tracer().trace(tree, rays, mode);
+    const Traced traced = answered(run, session, tree, rays);
 
-    // Hits are written even if the check fails, so that they can be inspected.
-    writeFile(options.output, npyOf(traced.hits));
-    Json report{
-        {"scene", sceneJson(session)},
-        {"build", buildJson(built)},
-        {"trace", traceJson(mode.traversal, mode.test, rays.size(), traced.ms, traced.invalidRays, traced.cappedRays)}};
-    CheckResult check;
-    if (options.check > 0) {
-        check = session.check(rays, traced.hits, options.query, options.check);
-        report["check"] = checkJson(check);
-    }
+    Json report{{"scene", sceneJson(session)}, {"build", buildJson(built)}, {"trace", traced.json}};
+    if (options.check > 0) report["check"] = checkJson(traced.check);
     writeReport(run, report);
-    requireAnswered(traced.cappedRays, check, session.scene().name);
-
-    run.print(builtLine(built) + tracedLine(rays.size(), traced.ms, traced.invalidRays) +
-              (options.check > 0 ? checkedLine(check) : "") + "hits      " + options.output.string() + "\n");
+    requireAnswered(traced.cappedRays, traced.check, session.scene().name);
+    run.print(builtLine(built) + tracedLine(rays.size(), traced.ms, traced.invalidRays) + traced.told);
 }
 
 }  // namespace cleave

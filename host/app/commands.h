@@ -8,12 +8,15 @@ namespace cleave {
 void runRender(Run& run);
 void runFrames(Run& run);  // render --frames
 void runTrace(Run& run);
+void runQuery(Run& run);
 void runInfo(Run& run);
 void runBench(Run& run);
-void runSurvey(Run& run);  // bench --survey
+void runQueryBench(Run& run);  // bench --queries
+void runSurvey(Run& run);      // bench --survey
 void runReport(Run& run);
 void runStability(Run& run);
-void runLeaks(Run& run);  // of stability --leaks
+void runParity(Run& run);  // of stability --parity
+void runLeaks(Run& run);   // of stability --leaks
 void runDevices(Run& run);
 
 }  // namespace cleave

@@ -40,6 +40,11 @@ Tracer& DeviceKit::tracer() {
     return *tracer_;
 }
 
+Searcher& DeviceKit::searcher() {
+    if (!searcher_) searcher_ = std::make_unique<Searcher>(device());
+    return *searcher_;
+}
+
 Renderer& DeviceKit::renderer() {
     if (!renderer_) renderer_ = std::make_unique<Renderer>(device(), tracer());
     return *renderer_;

@@ -9,6 +9,7 @@
 #include "gpu/device.h"
 #include "run/gpu_builder.h"
 #include "run/renderer.h"
+#include "run/searcher.h"
 #include "run/tracer.h"
 
 namespace cleave {
@@ -25,6 +26,7 @@ class DeviceKit {
     Device& device();
     GpuBuilder& builder();  // warm
     Tracer& tracer();
+    Searcher& searcher();
     Renderer& renderer();
 
     bool isOpen() const { return device_ != nullptr; }
@@ -41,6 +43,7 @@ class DeviceKit {
     std::unique_ptr<Device> device_;
     std::unique_ptr<GpuBuilder> builder_;
     std::unique_ptr<Tracer> tracer_;
+    std::unique_ptr<Searcher> searcher_;
     std::unique_ptr<Renderer> renderer_;
 };
 

@@ -22,8 +22,9 @@
 namespace cleave {
 namespace {
 
-constexpr std::array<std::pair<const char*, Command>, 7> kCommands = {{{"render", Command::render},
+constexpr std::array<std::pair<const char*, Command>, 8> kCommands = {{{"render", Command::render},
                                                                        {"trace", Command::trace},
+                                                                       {"query", Command::query},
                                                                        {"info", Command::info},
                                                                        {"bench", Command::bench},
                                                                        {"report", Command::report},
@@ -307,17 +308,71 @@ void addRender(CLI::App& app, Options& options) {
     addOutput(app, options);
 }
 
+constexpr uint64_t kMostHitsPerRay = 1u << 20;
+
 void addTrace(CLI::App& app, Options& options) {
     addScene(app, options, ".gltf or .glb", true);
     app.add_option("RAYS", options.rays, "rays as .npy: float32 (N, 8): origin, tMin, direction, tMax")
         ->type_name("FILE")
         ->required();
     app.add_option("-o,--output", options.output, "the hits (hits.npy)")->type_name("FILE");
-    app.add_flag_callback(
+    CLI::Option* any = app.add_flag_callback(
         "--any", [&options] { options.query = Query::any; }, "any hit will do, not the closest");
+    const auto first = [](const std::string& given) { return parseWhole(given, 1, kMostHitsPerRay); };
+    CLI::Option* all = addParsed<uint64_t>(
+        app, "--all", "K", "the first K hits, edges and vertices of closed surfaces once", first,
+        [&options](uint64_t k) {
+            options.query = Query::all;
+            options.hitsPerRay = static_cast<uint32_t>(k);
+        },
+        "a whole number from 1 to " + std::to_string(kMostHitsPerRay));
+    CLI::Option* count = app.add_flag_callback(
+        "--count", [&options] { options.query = Query::count; }, "how many hits there are, counted in the same way");
+    app.add_flag_callback(
+           "--signed", [&options] { options.query = Query::signedCount; },
+           "of --count: hits from behind a triangle less those from its front")
+        ->needs(count);
     addTime(app, options);
     addBuild(app, options, false);
     addTraversal(app, options, false);
+    CLI::Option* const own[] = {any, all, count};
+    for (CLI::Option* one : own)
+        for (CLI::Option* other : own)
+            if (one != other) one->excludes(other);
+    for (const char* fixed : {"--traversal", "--triangle-test", "--check"}) {
+        all->excludes(fixed);
+        count->excludes(fixed);
+    }
+    addOutput(app, options);
+}
+
+void addQuery(CLI::App& app, Options& options) {
+    addScene(app, options, ".gltf or .glb", true);
+    app.add_option("DATA", options.rays, "points (N, 3), or boxes (N, 2, 3), as .npy of float32")
+        ->type_name("FILE")
+        ->required();
+    app.add_option("-o,--output", options.output, "the answers (out.npy)")->type_name("FILE");
+    CLI::App* kind = app.add_option_group("QUESTION", "what is asked, one of");
+    CLI::Option* nearest = kind->add_flag_callback(
+        "--nearest", [&options] { options.question = Question::nearest; }, "of each point: the nearest triangle");
+    kind->add_flag_callback(
+        "--contains", [&options] { options.question = Question::contains; },
+        "of each point: whether it is inside of the scene, which must be closed");
+    kind->add_flag_callback(
+        "--overlaps", [&options] { options.question = Question::overlaps; },
+        "of each box: the triangles that meet it, as pairs of numbers");
+    kind->require_option(1);
+    const auto radius = [](const std::string& given) {
+        const auto r = parseNumber(given);
+        return r && *r >= 0.0 ? r : std::nullopt;
+    };
+    addParsed<double>(
+        app, "--within", "R", "of --nearest: look no farther than this", radius,
+        [&options](double r) { options.within = static_cast<float>(std::min(r, double{kLargestFloat})); },
+        "a number of 0 or more")
+        ->needs(nearest);
+    addTime(app, options);
+    addBuild(app, options, false);
     addOutput(app, options);
 }
 
@@ -344,8 +399,12 @@ void addBench(CLI::App& app, Options& options) {
         "nodes, triangle tests and lanes in use per ray, time per pass and level of a build on the device, too");
     app.add_flag("--peers", options.peers,
                  "beside other ray tracers: the driver's own, Embree, a plain stack walk in C++");
-    for (const char* fixed : {"--builder", "--traversal", "--triangle-test", "--peers", "--work"})
+    CLI::Option* queries =
+        app.add_flag("--queries", options.queries, "all hits, counts, nearest points, containment, overlaps instead");
+    for (const char* fixed : {"--builder", "--traversal", "--triangle-test", "--peers", "--work", "--queries"})
         survey->excludes(fixed);
+    for (const char* other : {"--traversal", "--triangle-test", "--peers", "--work", "--check"})
+        queries->excludes(other);
     addOutput(app, options);
 }
 
@@ -376,20 +435,24 @@ void addCases(CLI::App& app, Options& options) {
     app.add_option_function<std::string>("--cases", read, "these cases only")->type_name("NAME,...");
 }
 
-constexpr uint64_t kLeakRays = 100'000'000;
+constexpr uint64_t kManyRays = 100'000'000;
 
 void addStability(CLI::App& app, Options& options) {
     app.add_option("SCENE", options.scenes, ".gltf or .glb, further cases")->type_name("FILE");
     app.add_flag("--quick", options.quick, "fewer rays and builders, smaller scenes: about a minute");
     addCases(app, options);
     addWhole(app, "--rays", "rays per case and family (4000; quick: 400)", options.rayCount, 1, 1u << 24);
-    const auto leaks = [&options](const std::string& given) {
-        options.leaks = given.empty() ? kLeakRays : parseWhole(given, 1, uint64_t{1} << 40);
-        if (!options.leaks) throw CLI::ValidationError("--leaks", "'" + given + "' is not a whole number above 0");
+    const auto addRays = [&app](const std::string& name, std::optional<uint64_t>& rays, const std::string& text) {
+        const auto read = [&rays, name](const std::string& given) {
+            rays = given.empty() ? kManyRays : parseWhole(given, 1, uint64_t{1} << 40);
+            if (!rays) throw CLI::ValidationError(name, "'" + given + "' is not a whole number above 0");
+        };
+        return app.add_option_function<std::string>(name, read, text)->type_name("N")->expected(0, 1);
     };
-    app.add_option_function<std::string>("--leaks", leaks, "only: N rays (100,000,000) from inside of closed meshes")
-        ->type_name("N")
-        ->expected(0, 1);
+    CLI::Option* leaks =
+        addRays("--leaks", options.leaks, "only: N rays (100,000,000) from inside of closed meshes, which must hit");
+    addRays("--parity", options.parity, "only: N lines (100,000,000) through closed meshes, counted; all must be even")
+        ->excludes(leaks);
     addWhole(app, "--seed", "of all cases and rays (1)", options.seed, 0, UINT64_MAX);
     addBuild(app, options, true);
     addOutput(app, options);
@@ -402,6 +465,7 @@ std::unique_ptr<CLI::App> makeApp(Options& options) {
     app->require_subcommand(1);
     addRender(*app->add_subcommand("render", "make a picture of a scene"), options);
     addTrace(*app->add_subcommand("trace", "answer the rays of a file"), options);
+    addQuery(*app->add_subcommand("query", "ask about the points or boxes of a file"), options);
     addInfo(*app->add_subcommand("info", "describe a scene and its tree"), options);
     addBench(*app->add_subcommand("bench", "time builds and rays, after checking them"), options);
     addReport(*app->add_subcommand("report", "error against run time, as one page"), options);
@@ -428,6 +492,7 @@ Command commandOf(const std::string& name) {
 
 const char* defaultOutput(Command command) {
     if (command == Command::trace) return "hits.npy";
+    if (command == Command::query) return "out.npy";
     return command == Command::report ? "report" : "out.png";
 }
 
@@ -445,7 +510,8 @@ void complete(Options& options) {
         (options.builders.empty() || std::any_of(options.builders.begin(), options.builders.end(), hasFewBins)))
         throw UsageError("--bins: gpu and twin have at most " + std::to_string(kBins) + "; for " +
                          std::to_string(options.settings.bins) + " name another --builder");
-    const bool writes = options.command == Command::render || options.command == Command::trace;
+    const bool writes =
+        options.command == Command::render || options.command == Command::trace || options.command == Command::query;
     if (writes && options.json && options.json->lexically_normal() == options.output.lexically_normal())
         throw UsageError("--json and -o name the same file");
     if (options.frames && !std::isfinite(static_cast<double>(options.frames->last) / options.frames->fps))

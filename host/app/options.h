@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -17,7 +18,10 @@
 
 namespace cleave {
 
-enum class Command { render, trace, info, bench, report, stability, devices };
+enum class Command { render, trace, query, info, bench, report, stability, devices };
+
+// What the command query asks.
+enum class Question { none, nearest, contains, overlaps };
 
 // Frames of an animation: `first` to `last`, frame n at the time n / fps. Of these, those with (n - first) mod parts ==
 // part.
@@ -37,8 +41,8 @@ struct Options {
     Command command = Command::devices;
     std::string line;                           // as it was typed, for figures to say where they come from
     std::vector<std::filesystem::path> scenes;  // render: may be empty, for the default scene; bench: several
-    std::filesystem::path rays;
-    std::filesystem::path output;  // out.png, hits.npy or the folder of a report
+    std::filesystem::path rays;                 // or points, or boxes
+    std::filesystem::path output;               // out.png, hits.npy or the folder of a report
     std::optional<std::filesystem::path> json;
     bool quiet = false;
 
@@ -65,19 +69,24 @@ struct Options {
     std::optional<double> fov;  // vertical, degrees
 
     Query query = Query::closest;
+    uint32_t hitsPerRay = 1;  // of Query::all
+    Question question = Question::none;
+    float within = std::numeric_limits<float>::infinity();  // the farthest that a nearest point may be
     std::vector<Traversal> traversals;  // empty: the device's own; bench: several, all with each of the tests
     std::vector<TriangleTest> triangleTests{TriangleTest::watertight};
     uint32_t runs = 5;
     bool interior = false;
-    bool work = false;    // bench: what rays do on their way, too
-    bool peers = false;   // bench, report: other ray tracers too, on the same rays
-    bool survey = false;  // bench: the survey's builders and tables instead of `builders`
+    bool work = false;     // bench: what rays do on their way, too
+    bool peers = false;    // bench, report: other ray tracers too, on the same rays
+    bool queries = false;  // bench: the other queries instead of closest and any hits
+    bool survey = false;   // bench: the survey's builders and tables instead of `builders`
 
     bool quick = false;
     std::vector<std::string> cases;  // of stability, by name; empty: all
     uint64_t rayCount = 0;           // per case and family of rays; 0: as many as fit the time
     uint64_t seed = 1;
-    std::optional<uint64_t> leaks;  // shoot so many rays from inside of closed meshes instead
+    std::optional<uint64_t> parity;  // count so many lines through closed meshes instead
+    std::optional<uint64_t> leaks;   // shoot so many rays from inside of closed meshes instead
 };
 
 // A text to print instead of a run: help or version.

@@ -28,6 +28,8 @@ void runCommand(const Options& options) {
             return runRender(run);
         case Command::trace:
             return runTrace(run);
+        case Command::query:
+            return runQuery(run);
         case Command::info:
             return runInfo(run);
         case Command::bench:

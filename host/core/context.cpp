@@ -5,6 +5,7 @@
 #include <new>
 
 #include "shared/compact.h"
+#include "shared/query.h"
 #include "shared/trace.h"
 
 namespace cleave {
@@ -55,16 +56,39 @@ bool createBuildKernels(Creation& creation, Context::State& state, const GroupSi
            creation.create(state.compact, "compact", sizeof(CompactPush), {});
 }
 
+bool createTraceKernel(Creation& creation, Kernel& kernel, const TraceMode& mode) {
+    if (mode.query == Query::all) return creation.create(kernel, "trace_all", sizeof(TracePush), {});
+    if (mode.query == Query::count || mode.query == Query::signedCount) {
+        const uint32_t isSigned[] = {mode.query == Query::signedCount ? 1u : 0u};
+        return creation.create(kernel, "trace_count", sizeof(TracePush), isSigned);
+    }
+    const uint32_t constants[] = {mode.query == Query::any ? 1u : 0u, mode.countSteps ? 1u : 0u,
+                                  static_cast<uint32_t>(mode.test)};
+    const char* name = mode.traversal == Traversal::stack        ? "trace_stack"
+                       : mode.traversal == Traversal::shortStack ? "trace_short_stack"
+                                                                 : "trace";
+    return creation.create(kernel, name, sizeof(TracePush), constants);
+}
+
 bool createTraceKernels(Creation& creation, Context::State& state, std::span<const TraceMode> modes) {
     for (const TraceMode& mode : modes) {
-        const uint32_t constants[] = {mode.query == Query::any ? 1u : 0u, mode.countSteps ? 1u : 0u,
-                                      static_cast<uint32_t>(mode.test)};
-        const char* name = mode.traversal == Traversal::stack        ? "trace_stack"
-                           : mode.traversal == Traversal::shortStack ? "trace_short_stack"
-                                                                     : "trace";
         TraceKernel& made = state.traceKernels.emplace_back();
         made.mode = mode;
-        if (!creation.create(made.kernel, name, sizeof(TracePush), constants)) return false;
+        if (!createTraceKernel(creation, made.kernel, mode)) return false;
+    }
+    return true;
+}
+
+bool createSearchKernels(Creation& creation, Context::State& state, std::span<const Search> searches) {
+    for (const Search search : searches) {
+        const char* name = search == Search::nearest    ? "query_nearest"
+                           : search == Search::contains ? "query_contains"
+                                                        : "query_overlaps";
+        const uint32_t writes[] = {search == Search::listOverlaps ? 1u : 0u};
+        const bool overlaps = search == Search::countOverlaps || search == Search::listOverlaps;
+        SearchKernel& made = state.searchKernels.emplace_back();
+        made.search = search;
+        if (!creation.create(made.kernel, name, sizeof(QueryPush), std::span(writes, overlaps ? 1 : 0))) return false;
     }
     return true;
 }
@@ -91,7 +115,8 @@ void createInto(NewContext& result, Context::State& state, const ContextInfo& in
     if (info.builds && !createBuildKernels(creation, state, groupSizes(properties, info.groupLanes))) return;
     const std::span<const TraceMode> modes =
         info.modes ? std::span(info.modes, info.modeCount) : std::span<const TraceMode>(kDefaultModes);
-    createTraceKernels(creation, state, modes);
+    if (!createTraceKernels(creation, state, modes)) return;
+    createSearchKernels(creation, state, std::span(info.searches, info.searchCount));
 }
 
 }  // namespace
@@ -122,6 +147,12 @@ const Kernel& Context::State::kernelOf(const BuildPass& pass) const noexcept {
 const Kernel& Context::State::kernelOf(const TraceMode& mode) const noexcept {
     for (const TraceKernel& made : traceKernels)
         if (made.mode == mode) return made.kernel;
+    std::abort();
+}
+
+const Kernel& Context::State::kernelOf(Search search) const noexcept {
+    for (const SearchKernel& made : searchKernels)
+        if (made.search == search) return made.kernel;
     std::abort();
 }
 

@@ -14,17 +14,25 @@ struct TraceKernel {
     Kernel kernel;
 };
 
+struct SearchKernel {
+    Search search;
+    Kernel kernel;
+};
+
 struct Context::State {
     Functions functions;
     uint32_t row = kLongestRow;
     std::vector<Kernel> buildKernels;  // each once
     Kernel compact;
     std::vector<TraceKernel> traceKernels;
+    std::vector<SearchKernel> searchKernels;
 
     // The kernel of a pass; the context was created with `builds`.
     const Kernel& kernelOf(const BuildPass& pass) const noexcept;
     // The kernel of a mode; one of those that the context was created with.
     const Kernel& kernelOf(const TraceMode& mode) const noexcept;
+    // The kernel of a search; one of those that the context was created with.
+    const Kernel& kernelOf(Search search) const noexcept;
 
     Recorder recorder(VkCommandBuffer commands) const noexcept { return {functions, commands, row}; }
 };

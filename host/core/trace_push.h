@@ -17,6 +17,7 @@ inline TracePush tracePush(const TraceInfo& info) noexcept {
     push.trails = info.trails;
     push.rayCount = info.count;
     push.stepLimit = info.stepLimit != 0 ? info.stepLimit : kDefaultStepLimit;
+    push.hitsPerRay = info.hitsPerRay;
     push.flags = (info.fromHits ? kTraceFromHits : 0u) | (info.resumes ? kTraceResumes : 0u) |
                  (info.trails ? kTraceTrails : 0u) | (info.counters ? kTraceCounters : 0u);
     return push;

@@ -5,7 +5,7 @@
 namespace cleave {
 
 std::unique_ptr<Context> contextOf(const Device& device, std::span<const TraceMode> modes, bool builds,
-                                   uint32_t groupLanes) {
+                                   uint32_t groupLanes, std::span<const Search> searches) {
     static constexpr TraceMode kNone{};  // modes without any are not the default ones
     ContextInfo info;
     info.instance = device.instance();
@@ -15,6 +15,8 @@ std::unique_ptr<Context> contextOf(const Device& device, std::span<const TraceMo
     info.pipelineCache = device.pipelineCache();
     info.modes = modes.empty() ? &kNone : modes.data();
     info.modeCount = static_cast<uint32_t>(modes.size());
+    info.searches = searches.data();
+    info.searchCount = static_cast<uint32_t>(searches.size());
     info.builds = builds;
     info.longestRow = device.longestRow();
     info.groupLanes = groupLanes;

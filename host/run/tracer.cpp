@@ -10,6 +10,8 @@
 namespace cleave {
 namespace {
 
+constexpr size_t kHitsOfBatch = 8;  // per ray, before a batch has fewer rays
+
 struct Traced {
     TraceMode mode;
     std::unique_ptr<Context> context;
@@ -38,10 +40,17 @@ struct Tracer::State {
         return all.subspan(first, std::min(limits.batch, all.size() - first));
     }
 
+    // Rays of a batch that has so many hits of each: its memory is bounded.
+    size_t batchOf(uint32_t hitsPerRay) const {
+        const size_t most = limits.batch * kHitsOfBatch / std::max(hitsPerRay, 1u);
+        return std::max<size_t>(std::min(limits.batch, most), 1);
+    }
+
     // Puts a batch of rays on the device, with what their query needs beside them.
-    TraceInfo placed(const DeviceTree& tree, std::span<const Ray> batch, const TraceMode& mode) {
+    TraceInfo placed(const DeviceTree& tree, std::span<const Ray> batch, const TraceMode& mode,
+                     uint32_t hitsPerRay = 1) {
         reserve(rays, batch.size_bytes());
-        reserve(hits, batch.size() * sizeof(Hit));
+        reserve(hits, batch.size() * hitsPerRay * sizeof(Hit));
         reserve(trails, batch.size() * sizeof(Trail));
         if (mode.countSteps) reserve(steps, batch.size() * sizeof(StepCount));
         rays.upload(batch);
@@ -51,6 +60,7 @@ struct Tracer::State {
         info.hits = hits.address();
         info.trails = trails.address();
         info.count = static_cast<uint32_t>(batch.size());
+        info.hitsPerRay = hitsPerRay;
         info.mode = mode;
         info.counters = counters.address();
         if (mode.countSteps) info.steps = steps.address();
@@ -114,6 +124,36 @@ Tracer::Result Tracer::trace(const DeviceTree& tree, std::span<const Ray> rays, 
         s.trace(traced, info, result);
         s.hits.read(0, &result.hits[first], batch.size() * sizeof(Hit));
         if (mode.countSteps) s.steps.read(0, &result.steps[first], batch.size() * sizeof(StepCount));
+    }
+    return result;
+}
+
+Tracer::Result Tracer::all(const DeviceTree& tree, std::span<const Ray> rays, uint32_t hitsPerRay) {
+    State& s = *state_;
+    const Context& traced = context({Query::all});
+    Result result;
+    result.hits.resize(rays.size() * hitsPerRay);
+    const size_t batch = s.batchOf(hitsPerRay);
+    for (size_t first = 0; first < rays.size(); first += batch) {
+        const std::span<const Ray> some = rays.subspan(first, std::min(batch, rays.size() - first));
+        const TraceInfo info = s.placed(tree, some, {Query::all}, hitsPerRay);
+        result.invalidRays += s.run(traced, info, result.ms).invalidRays;
+        s.hits.read(0, &result.hits[first * hitsPerRay], some.size() * hitsPerRay * sizeof(Hit));
+    }
+    return result;
+}
+
+Tracer::Counts Tracer::count(const DeviceTree& tree, std::span<const Ray> rays, bool isSigned) {
+    State& s = *state_;
+    const TraceMode mode{isSigned ? Query::signedCount : Query::count};
+    const Context& traced = context(mode);
+    Counts result;
+    result.counts.resize(rays.size());
+    for (size_t first = 0; first < rays.size(); first += s.limits.batch) {
+        const std::span<const Ray> batch = s.batchAt(rays, first);
+        const TraceInfo info = s.placed(tree, batch, mode);
+        result.invalidRays += s.run(traced, info, result.ms).invalidRays;
+        s.hits.read(0, &result.counts[first], batch.size() * sizeof(int32_t));
     }
     return result;
 }

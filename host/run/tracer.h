@@ -38,6 +38,18 @@ class Tracer {
     Result trace(const DeviceTree& tree, std::span<const Ray> rays, const TraceMode& mode = {},
                  std::span<const Hit> from = {});
 
+    // The first `hitsPerRay` crossings of each ray, in rows of as many whose rest are misses: by t and then by number,
+    // an edge or a vertex of a closed surface once (docs/queries.md).
+    Result all(const DeviceTree& tree, std::span<const Ray> rays, uint32_t hitsPerRay);
+    struct Counts {
+        std::vector<int32_t> counts;  // one per ray
+        double ms = 0.0;
+        uint64_t invalidRays = 0;  // answered by 0
+    };
+    // How often each ray crosses triangles; or, signed, how often more it leaves through the back of a triangle than it
+    // enters through its front.
+    Counts count(const DeviceTree& tree, std::span<const Ray> rays, bool isSigned = false);
+
     // Traces the same rays `runs` times, after a warm-up (base/warm_up.h), with rays and hits staying on the device:
     // the milliseconds that each took there.
     std::vector<double> time(const DeviceTree& tree, std::span<const Ray> rays, const TraceMode& mode, uint32_t runs);

@@ -1,6 +1,8 @@
 #include "stability/closed_meshes.h"
 
+#include <cmath>
 #include <functional>
+#include <limits>
 
 #include "stability/shapes.h"
 
@@ -52,7 +54,70 @@ vec3 aimOf(const Triangle& t, uint64_t kind, Random& random) {
     return vec3(dvec3(t.a) + u * (dvec3(t.b) - dvec3(t.a)) + v * (dvec3(t.c) - dvec3(t.a)));
 }
 
+ClosedMesh onLattice(std::string_view name, uint32_t level, double steps, Random& random) {
+    const dvec3 size(random.between(0.5, 1.0), random.between(0.5, 1.0), random.between(0.5, 1.0));
+    const Mesh mesh = moved(icosphere(level), [&](const dvec3& v) { return glm::round(v * size * steps) / steps; });
+    return {name, trianglesOf(mesh), {}};
+}
+
+// The box's half diagonal and its middle.
+struct Extent {
+    dvec3 middle;
+    double reach;
+};
+Extent extentOf(const ClosedMesh& mesh) {
+    dvec3 lo(std::numeric_limits<double>::infinity()), hi = -lo;
+    for (const Triangle& t : mesh.triangles)
+        for (const vec3& v : {t.a, t.b, t.c}) {
+            lo = glm::min(lo, dvec3(v));
+            hi = glm::max(hi, dvec3(v));
+        }
+    return {0.5 * (lo + hi), 0.5 * glm::length(hi - lo)};
+}
+
 }  // namespace
+
+std::vector<ClosedMesh> closedSlivers(uint64_t seed) {
+    Random random(seedFor(seed, "slivers"));
+    std::vector<ClosedMesh> meshes;
+    meshes.push_back(onLattice("lattice-8", 3, 8.0, random));
+    meshes.push_back(onLattice("lattice-32", 5, 32.0, random));
+    return meshes;
+}
+
+std::vector<Ray> linesThrough(const ClosedMesh& mesh, uint64_t count, uint64_t seed) {
+    Random random(seed);
+    const Extent extent = extentOf(mesh);
+    const auto any = [&] { return mesh.triangles[random.below(mesh.triangles.size())]; };
+    std::vector<Ray> lines;
+    lines.reserve(count);
+    while (lines.size() < count) {
+        const vec3 at = aimOf(any(), lines.size() % 4, random);
+        dvec3 along = random.direction();
+        if (lines.size() / 4 % 4 == 1) {
+            along = dvec3(0.0);
+            along[static_cast<int>(random.below(3))] = random.below(2) == 0 ? 1.0 : -1.0;
+        }
+        if (lines.size() / 4 % 4 == 2) along = dvec3(any().a) - dvec3(at);
+        const double length = glm::length(along);
+        if (!(length > 0.0)) continue;
+        // Rounded once, the line still passes the vertex exactly where it is along an axis or on a coarse lattice.
+        const vec3 direction(along);
+        const double way = (3.0 * extent.reach + glm::length(dvec3(at) - extent.middle)) / length;
+        const vec3 from(dvec3(at) - std::exp2(std::ceil(std::log2(way))) * dvec3(direction));
+        lines.push_back({from, 0.0f, direction, infinity()});
+    }
+    return lines;
+}
+
+void addParity(Parity& parity, std::span<const Ray> lines, std::span<const int32_t> counts) {
+    for (size_t i = 0; i < lines.size(); ++i) {
+        if (counts[i] == 0) continue;
+        parity.odd += (counts[i] & 1) != 0 ? 1 : 0;
+        if (parity.uneven++ == 0) parity.first = lines[i];
+    }
+    parity.lines += lines.size();
+}
 
 std::vector<ClosedMesh> closedMeshes(uint64_t seed) {
     Random random(seed);

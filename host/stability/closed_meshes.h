@@ -23,6 +23,23 @@ std::vector<ClosedMesh> closedMeshes(uint64_t seed);
 // as a user's aiming rounds.
 std::vector<Ray> leakRays(const ClosedMesh& mesh, uint64_t count, uint64_t seed);
 
+// Meshes with triangles of no area: vertices on a coarse lattice, where many coincide or lie in line. They have no
+// points inside.
+std::vector<ClosedMesh> closedSlivers(uint64_t seed);
+
+// Lines from outside of the mesh that go through all of it: half of them at vertices, a quarter at points of edges, the
+// others at points of faces; of each a quarter along an axis, a quarter through a second vertex.
+std::vector<Ray> linesThrough(const ClosedMesh& mesh, uint64_t count, uint64_t seed);
+
+struct Parity {
+    uint64_t lines = 0;
+    uint64_t odd = 0;     // cross the surface an odd number of times
+    uint64_t uneven = 0;  // leave it more or less often than they enter it
+    Ray first{};          // the first of these
+};
+// Adds the signed counts of some of the lines.
+void addParity(Parity& parity, std::span<const Ray> lines, std::span<const int32_t> counts);
+
 struct Leaks {
     uint64_t rays = 0;
     uint64_t leaks = 0;  // misses

@@ -36,6 +36,12 @@ class ExactSum {
     void addMultiple(const ExactSum& other, double factor) {
         for (size_t i = 0; i < other.size_; ++i) addProduct(other.terms_[i], factor);
     }
+    // a * b, on the same condition.
+    friend ExactSum productOf(const ExactSum& a, const ExactSum& b) {
+        ExactSum sum;
+        for (size_t i = 0; i < a.size_; ++i) sum.addMultiple(b, a.terms_[i]);
+        return sum;
+    }
     // The largest term decides, since all the others together are smaller than its last place.
     int sign() const { return size_ == 0 ? 0 : terms_[size_ - 1] > 0.0 ? 1 : -1; }
     // The sum, with a relative error of at most 2^-51.

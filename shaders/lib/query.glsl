@@ -5,6 +5,7 @@
 #include "lib/restart.glsl"
 #include "lib/short_stack.glsl"
 #include "lib/stack.glsl"
+#include "lib/crossings.glsl"
 
 const uint kRestartTraversal = 0u;
 const uint kShortStackTraversal = 1u;
@@ -40,13 +41,18 @@ bool search(Tree tree, Ray ray, bool anyHit, uint stepLimit, inout Hit hit, inou
     return finished;
 }
 
-// The answer to a query that begins and ends here.
-Hit answer(Tree tree, vec3 origin, float tMin, vec3 direction, float tMax, bool anyHit) {
+Ray rayOf(vec3 origin, float tMin, vec3 direction, float tMax) {
     Ray ray;
     ray.origin = origin;
     ray.tMin = tMin;
     ray.direction = direction;
     ray.tMax = tMax;
+    return ray;
+}
+
+// The answer to a query that begins and ends here.
+Hit answer(Tree tree, vec3 origin, float tMin, vec3 direction, float tMax, bool anyHit) {
+    Ray ray = rayOf(origin, tMin, direction, tMax);
     Hit hit = missedHit();
     if (!isValidRay(ray)) return hit;
     Trail trail = emptyTrail();
@@ -63,5 +69,33 @@ Hit trace(Tree tree, vec3 origin, float tMin, vec3 direction, float tMax) {
 // Whether there is a hit with tMin <= t <= tMax.
 bool occluded(Tree tree, vec3 origin, float tMin, vec3 direction, float tMax) {
     return answer(tree, origin, tMin, direction, tMax, true).prim != kNone;
+}
+
+// All hits with tMin <= t <= tMax, one after the other, in the order of t and then of triangle numbers; a miss ends
+// them. A ray through an edge or a vertex of a closed surface hits one of the triangles there, or as many as it enters
+// and leaves through (crossing.h), so that their number is even:
+//     for (Hit hit = cleaveFirst(...); hit.prim != kNone; hit = cleaveNext(..., hit))
+// The names have their prefix here already, since the plain words are those of many variables.
+Hit cleaveFirst(Tree tree, vec3 origin, float tMin, vec3 direction, float tMax) {
+    return crossingBehind(tree, rayOf(origin, tMin, direction, tMax), beforeAll());
+}
+Hit cleaveNext(Tree tree, vec3 origin, float tMin, vec3 direction, float tMax, Hit last) {
+    Mark after;
+    after.t = last.t;
+    after.number = last.prim;
+    return crossingBehind(tree, rayOf(origin, tMin, direction, tMax), after);
+}
+
+// How many of these hits there are; 0 for a ray that is not valid.
+uint cleaveCount(Tree tree, vec3 origin, float tMin, vec3 direction, float tMax) {
+    Ray ray = rayOf(origin, tMin, direction, tMax);
+    return isValidRay(ray) ? uint(crossings(tree, ray, false)) : 0u;
+}
+
+// How many of them leave, along the normal (b - a) x (c - a) of their triangle, less those that enter. From a point
+// without an end this is how often a closed surface winds around it.
+int cleaveWinding(Tree tree, vec3 origin, float tMin, vec3 direction, float tMax) {
+    Ray ray = rayOf(origin, tMin, direction, tMax);
+    return isValidRay(ray) ? crossings(tree, ray, true) : 0;
 }
 #endif

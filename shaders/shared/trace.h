@@ -27,14 +27,14 @@ CLEAVE_CONST uint kTraceCounters = 8u;  // counts rays
 struct TracePush {
     CLEAVE_ADDRESS(Tree) tree;
     CLEAVE_ADDRESS(RayArray) rays;
-    CLEAVE_ADDRESS(HitArray) hits;
+    CLEAVE_ADDRESS(HitArray) hits;              // hitsPerRay of each; where crossings are counted, an int of each
     CLEAVE_ADDRESS(StepCountArray) steps;       // used by the kernels that count steps
     CLEAVE_ADDRESS(TraceCountersRef) counters;  // used with kTraceCounters
     CLEAVE_ADDRESS(TrailArray) trails;          // one per ray; used with kTraceTrails and kTraceResumes
     uint rayCount;
     uint stepLimit;  // inner nodes and triangle tests after which a ray is given up
     uint flags;
-    uint reserved;
+    uint hitsPerRay;  // of the kernel that finds all
 };
 CLEAVE_SIZE(TracePush, 64);
 

@@ -30,6 +30,38 @@ void expectRefused(const std::vector<const char*>& arguments, const std::string&
     EXPECT_NE(text.find(part), std::string::npos) << "refusal: '" << text << "', wanted: " << part;
 }
 
+TEST(Options, AskForHitsInOneWay) {
+    const Options all = parse({"trace", "a.glb", "r.npy", "--all", "8"});
+    EXPECT_EQ(all.query, Query::all);
+    EXPECT_EQ(all.hitsPerRay, 8u);
+    EXPECT_EQ(parse({"trace", "a.glb", "r.npy", "--count"}).query, Query::count);
+    EXPECT_EQ(parse({"trace", "a.glb", "r.npy", "--count", "--signed"}).query, Query::signedCount);
+    EXPECT_EQ(parse({"trace", "a.glb", "r.npy", "--signed", "--count"}).query, Query::signedCount);
+    for (const char* none : {"0", "-1", "many", "99999999"})
+        expectRefused({"trace", "a.glb", "r.npy", "--all", none}, "whole number");
+    expectRefused({"trace", "a.glb", "r.npy", "--signed"}, "--count");
+    expectRefused({"trace", "a.glb", "r.npy", "--all", "3", "--count"}, "--all");
+    expectRefused({"trace", "a.glb", "r.npy", "--any", "--count"}, "--any");
+    expectRefused({"trace", "a.glb", "r.npy", "--count", "--check", "5"}, "--check");
+}
+
+TEST(Options, QueryAsksOneQuestion) {
+    const Options nearest = parse({"query", "a.glb", "p.npy", "--nearest", "--within", "0.5"});
+    EXPECT_EQ(nearest.command, Command::query);
+    EXPECT_EQ(nearest.question, Question::nearest);
+    EXPECT_EQ(nearest.within, 0.5f);
+    EXPECT_EQ(nearest.rays, "p.npy");
+    EXPECT_EQ(nearest.output, "out.npy");
+    EXPECT_EQ(parse({"query", "a.glb", "p.npy", "--nearest"}).within, infinity());
+    EXPECT_EQ(parse({"query", "a.glb", "p.npy", "--contains"}).question, Question::contains);
+    EXPECT_EQ(parse({"query", "a.glb", "p.npy", "--overlaps"}).question, Question::overlaps);
+    expectRefused({"query", "a.glb", "p.npy"}, "--nearest");
+    expectRefused({"query", "a.glb", "p.npy", "--nearest", "--contains"}, "QUESTION");
+    expectRefused({"query", "a.glb", "p.npy", "--contains", "--within", "1"}, "--nearest");
+    for (const char* none : {"-1", "nan", "far"})
+        expectRefused({"query", "a.glb", "p.npy", "--nearest", "--within", none}, "number of 0 or more");
+}
+
 TEST(Options, Defaults) {
     const Options o = parse({"render"});
     EXPECT_EQ(o.command, Command::render);
@@ -138,7 +170,7 @@ TEST(Options, HelpAndVersion) {
 
 TEST(Options, WrongUseNamesWhatThereIs) {
     for (const auto& wrong : std::vector<std::vector<const char*>>{{}, {"rendr"}, {"reports", "a.glb"}})
-        expectRefused(wrong, "render, trace, info, bench, report, stability, devices");
+        expectRefused(wrong, "render, trace, query, info, bench, report, stability, devices");
     expectRefused({"render", "--builder", "nope"}, "gpu, twin, exact");
     expectRefused({"render", "--builder", "havran"}, "gpu, twin, exact");
     expectRefused({"render", "--builder", "gpu,exact"}, "gpu, twin, exact");
@@ -281,7 +313,7 @@ TEST(Options, OptionsOfLaterAreNotTakenYet) {
         expectRefused({"render", option, "4"}, option);
         expectRefused({"render", option, "4"}, "--size");
     }
-    expectRefused({"trace", "a.glb", "r.npy", "--all", "3"}, "--any");
+    expectRefused({"trace", "a.glb", "r.npy", "--some", "3"}, "--any");
     expectRefused({"info", "a.glb", "--check", "3"}, "--validate");
     expectRefused({"render", "a.glb", "b.glb"}, "b.glb");
 }

@@ -61,6 +61,7 @@ TEST_F(Program, WrongUseIsStatus2) {
                                                                    {"render", scene_, "--builder", "nope"},
                                                                    {"render", scene_, "--spp", "4", "--view", "steps"},
                                                                    {"trace", scene_},
+                                                                   {"query", scene_, at("points.npy.in")},
                                                                    {"info"},
                                                                    {"info", scene_, "--runs", "3"},
                                                                    {"bench"},

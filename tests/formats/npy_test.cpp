@@ -156,5 +156,50 @@ TEST(NpyOf, WritesTheHitsThatNumpyReads) {
     EXPECT_EQ(npyOf({}).size() % 64, 0u);
 }
 
+// The header's dictionary, then the data behind it.
+void expectFile(const std::vector<std::byte>& bytes, const std::string& dictionary, const void* data, size_t size) {
+    const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    EXPECT_EQ(text.substr(10, text.find('}') - 9), dictionary);
+    ASSERT_EQ(text.size() % 64, size % 64);
+    ASSERT_GE(text.size(), size);
+    EXPECT_EQ(std::memcmp(text.data() + text.size() - size, data, size), 0);
+}
+
+TEST(NpyOf, WritesTheAnswersOfAllQueries) {
+    const std::vector<Hit> hits{{1, 2, 3, 4}, {5, 6, 7, 8}, missedHit(), missedHit()};
+    const std::string order = "'fortran_order': False, 'shape': ";
+    expectFile(npyOf(hits, 2),
+               "{'descr': [('t', '<f4'), ('prim', '<u4'), ('u', '<f4'), ('v', '<f4')], " + order + "(2, 2), }",
+               hits.data(), 64);
+    expectFile(npyOfNearest(hits),
+               "{'descr': [('distance', '<f4'), ('prim', '<u4'), ('u', '<f4'), ('v', '<f4')], " + order + "(4,), }",
+               hits.data(), 64);
+    const std::vector<int32_t> counts{1, -2};
+    expectFile(npyOfCounts(counts), "{'descr': '<i4', " + order + "(2,), }", counts.data(), 8);
+    const std::vector<uint8_t> values{1, 0, 1};
+    expectFile(npyOfBools(values), "{'descr': '|b1', " + order + "(3,), }", values.data(), 3);
+    const std::vector<uvec2> pairs{{1, 2}, {1, 3}, {4, 0}};
+    expectFile(npyOfPairs(pairs), "{'descr': '<u4', " + order + "(3, 2), }", pairs.data(), 24);
+}
+
+TEST_F(Npy, ReadsPointsAndBoxes) {
+    const std::vector<float> data{1, 2, 3, 4, 5, 6};
+    const std::string bytes(reinterpret_cast<const char*>(data.data()), 24);
+    put(folder_ / "points.npy", npy(headerOf("(2, 3)"), bytes));
+    put(folder_ / "boxes.npy", npy(headerOf("(1, 2, 3)"), bytes));
+    const std::vector<vec3> points = readPoints(folder_ / "points.npy");
+    ASSERT_EQ(points.size(), 2u);
+    EXPECT_EQ(points[1], vec3(4, 5, 6));
+    const std::vector<Box> boxes = readBoxes(folder_ / "boxes.npy");
+    ASSERT_EQ(boxes.size(), 1u);
+    EXPECT_EQ(boxes[0].lo, vec3(1, 2, 3));
+    EXPECT_EQ(boxes[0].hi, vec3(4, 5, 6));
+    EXPECT_THROW(readPoints(folder_ / "boxes.npy"), Error);
+    EXPECT_THROW(readBoxes(folder_ / "points.npy"), Error);
+    EXPECT_THROW(readBoxes(folder_ / "none.npy"), Error);
+    put(folder_ / "wrong.npy", npy(headerOf("(1, 3, 2)"), bytes));
+    EXPECT_THROW(readBoxes(folder_ / "wrong.npy"), Error);
+}
+
 }  // namespace
 }  // namespace cleave::test

@@ -5,6 +5,7 @@
 #include "shared/compact.h"
 #include "shared/peer_trace.h"
 #include "shared/picture_args.h"
+#include "shared/query.h"
 #include "shared/trace.h"
 
 CLEAVE_BEGIN
@@ -42,6 +43,7 @@ struct LayoutRecord {
     CompactPush compactPush;
     PicturePush picturePush;
     PeerTracePush peerPush;
+    QueryPush queryPush;
 };
 
 // The fields of the structs that were added last, in their order: what both sides walk, counting up from kFirstListed.
@@ -97,7 +99,10 @@ struct LayoutRecord {
     ADDRESS(tracePush.tree, Tree) ADDRESS(tracePush.rays, RayArray) ADDRESS(tracePush.hits, HitArray)            \
     ADDRESS(tracePush.steps, StepCountArray) ADDRESS(tracePush.counters, TraceCountersRef)                       \
     ADDRESS(tracePush.trails, TrailArray) UINT(tracePush.rayCount) UINT(tracePush.stepLimit)                     \
-    UINT(tracePush.flags)                                                                                        \
+    UINT(tracePush.flags) UINT(tracePush.hitsPerRay)                                                             \
+    ADDRESS(queryPush.tree, Tree) ADDRESS(queryPush.items, FloatArray) ADDRESS(queryPush.nearest, HitArray)      \
+    ADDRESS(queryPush.answers, UintArray) ADDRESS(queryPush.first, UintArray)                                    \
+    ADDRESS(queryPush.triangles, UintArray) UINT(queryPush.count) FLOAT(queryPush.within)                        \
     ADDRESS(compactPush.from, Tree) ADDRESS(compactPush.to, Tree) UINT(compactPush.invocations)                  \
     ADDRESS(picturePush.args, PictureArgsRef) UINT(picturePush.round) UINT(picturePush.path)                                            \
     ADDRESS(peerPush.scene, uvec2) ADDRESS(peerPush.rays, RayArray) ADDRESS(peerPush.hits, HitArray)             \

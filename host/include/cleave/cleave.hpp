@@ -25,7 +25,7 @@ namespace cleave {
 
 // Versions of this interface, of the bytes of a tree, and of the answers: the last is raised whenever a bit of a hit
 // may change.
-inline constexpr uint32_t kApiVersion = 4;
+inline constexpr uint32_t kApiVersion = 5;
 inline constexpr uint32_t kTreeFormat = 2;
 inline constexpr uint32_t kAnswersVersion = 2;
 
@@ -49,6 +49,9 @@ struct ContextInfo {
     // The modes that cmdTrace() will be asked for; null: closest and any hits by restart, watertight, uncounted.
     const TraceMode* modes = nullptr;
     uint32_t modeCount = 0;
+    // The searches that cmdSearch() will be asked for.
+    const Search* searches = nullptr;
+    uint32_t searchCount = 0;
     // Off: no pipelines to build with, for programs that only trace.
     bool builds = true;
     // The most workgroups in a row of a dispatch; 0: 65535, which every device takes. Tests make it tiny.
@@ -232,11 +235,16 @@ struct TraceSteps {
 struct TraceInfo {
     VkDeviceAddress tree = 0;  // the address given to cmdBuild() or cmdCompact()
     VkDeviceAddress rays = 0;  // TraceRay
-    VkDeviceAddress hits = 0;  // TraceHit
+    // TraceHit, one per ray; for Query::all, hitsPerRay in a row per ray, whose rest are misses; for Query::count and
+    // signedCount, an int32_t per ray.
+    VkDeviceAddress hits = 0;
     uint32_t count = 0;
+    uint32_t hitsPerRay = 1;       // of Query::all
     TraceMode mode;                // one of ContextInfo::modes
     VkDeviceAddress counters = 0;  // TraceCounts
     VkDeviceAddress steps = 0;     // TraceSteps per ray; where mode.countSteps
+    // What follows is for closest and any hits.
+    //
     // Goes on from the hits that are there, of another tree: the closer one stays, and for any-hit queries a hit ends
     // the ray at once. Off: hits are written only.
     bool fromHits = false;
@@ -248,6 +256,25 @@ struct TraceInfo {
     bool resumes = false;
 };
 void cmdTrace(VkCommandBuffer commands, const Context& context, const TraceInfo& info) noexcept;
+
+struct SearchInfo {
+    VkDeviceAddress tree = 0;   // the address given to cmdBuild() or cmdCompact()
+    VkDeviceAddress items = 0;  // a point is x, y, z; a box its lower corner, then its upper one: float, without gaps
+    uint32_t count = 0;         // of points or boxes
+    Search search = Search::nearest;  // one of ContextInfo::searches
+    // Search::nearest: the farthest that a triangle may be. A TraceHit per point, whose t is the distance; a miss where
+    // there is none, or where the point is not finite.
+    float within = 3.40282347e38f;
+    // Search::contains: a uint32_t per point, 1 inside or on the surface, 0 outside or where the point is not finite.
+    // The surface must be closed: see openEdges() of cleave::scene. Search::countOverlaps: a uint32_t per box; 0 where
+    // a lower corner is not below the upper one or is no number.
+    VkDeviceAddress answers = 0;
+    // Search::listOverlaps: a uint32_t per box, the sum of the counts before it; and where the numbers of its triangles
+    // go, uint32_t each.
+    VkDeviceAddress first = 0;
+    VkDeviceAddress numbers = 0;
+};
+void cmdSearch(VkCommandBuffer commands, const Context& context, const SearchInfo& info) noexcept;
 
 }  // namespace cleave
 #pragma GCC visibility pop

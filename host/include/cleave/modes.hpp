@@ -6,7 +6,17 @@
 namespace cleave {
 
 // closest: the nearest hit, ties by the lower triangle number. any: whether there is a hit, by some triangle.
-enum class Query : uint32_t { closest, any };
+//
+// The others count an edge or a vertex of a closed surface once (docs/queries.md). all: the first hits, by t and then
+// by number. count: how many there are. signedCount: how many leave through the back of a triangle, less those that
+// enter through its front, where corners are seen counter-clockwise. They take traversal and test of their own, and
+// count no steps: what a mode says of these is not looked at.
+enum class Query : uint32_t { closest, any, all, count, signedCount };
+
+// What is asked of points and boxes. nearest: the nearest triangle of each point. contains: whether a point is inside
+// of a closed surface, or on it. countOverlaps, listOverlaps: the triangles that meet each box, where those that
+// several leaves list count as often.
+enum class Search : uint32_t { nearest, contains, countOverlaps, listOverlaps };
 
 // restart: without a stack, by a restart trail (Laine 2010). stack: the textbook walk. shortStack: a stack of a few
 // entries, and the trail for what does not fit (Horn et al. 2007). Answers are the same.
