@@ -154,10 +154,14 @@ std::vector<std::byte> npyOf(std::span<const Hit> hits, uint32_t hitsPerRow) {
 std::vector<std::byte> npyOfNearest(std::span<const Hit> nearest) {
     return bytesOf(kNearest, row(nearest.size()), nearest);
 }
-std::vector<std::byte> npyOfCounts(std::span<const int32_t> counts) { return bytesOf("'<i4'", row(counts.size()), counts); }
+std::vector<std::byte> npyOfCounts(std::span<const int32_t> counts) {
+    return bytesOf("'<i4'", row(counts.size()), counts);
+}
 std::vector<std::byte> npyOfBools(std::span<const uint8_t> values) {
     return bytesOf("'|b1'", row(values.size()), values);
 }
-std::vector<std::byte> npyOfPairs(std::span<const uvec2> pairs) { return bytesOf("'<u4'", table(pairs.size(), 2), pairs); }
+std::vector<std::byte> npyOfPairs(std::span<const uvec2> pairs) {
+    return bytesOf("'<u4'", table(pairs.size(), 2), pairs);
+}
 
 }  // namespace cleave

@@ -36,14 +36,14 @@ struct ShownMesh {
 };
 
 struct PosedScene {
-    std::string name;                  // of the scene, for messages
-    std::vector<Triangle> triangles;   // world space, in scene order: the index is the number of a triangle
-    std::vector<uint32_t> materialOf;  // of each triangle, an index into Scene::materials
-    CornerAttributes corners;          // empty unless asked for
-    std::vector<uint32_t> sides;       // of each triangle, see sides.h; empty unless corners are asked for
-    std::vector<ShownMesh> meshes;     // in the order of their triangles
-    std::vector<Camera> cameras;       // in the order of the scene's nodes
-    std::vector<PlacedLight> lights;   // likewise
+    std::string name;                         // of the scene, for messages
+    std::vector<Triangle> triangles;          // world space, in scene order: the index is the number of a triangle
+    std::vector<uint32_t> materialOf;         // of each triangle, an index into Scene::materials
+    CornerAttributes corners;                 // empty unless asked for
+    std::vector<uint32_t> sides;              // of each triangle, see sides.h; empty unless corners are asked for
+    std::vector<ShownMesh> meshes;            // in the order of their triangles
+    std::vector<Camera> cameras;              // in the order of the scene's nodes
+    std::vector<PlacedLight> lights;          // likewise
     std::map<std::string, uint64_t> leftOut;  // what makes no triangle ("points", "lines", ...) -> how many
     std::vector<std::string> warnings;        // a sentence each
 };
