@@ -56,7 +56,7 @@ TEST(Options, QueryAsksOneQuestion) {
     EXPECT_EQ(parse({"query", "a.glb", "p.npy", "--contains"}).question, Question::contains);
     EXPECT_EQ(parse({"query", "a.glb", "p.npy", "--overlaps"}).question, Question::overlaps);
     expectRefused({"query", "a.glb", "p.npy"}, "--nearest");
-    expectRefused({"query", "a.glb", "p.npy", "--nearest", "--contains"}, "QUESTION");
+    expectRefused({"query", "a.glb", "p.npy", "--nearest", "--contains"}, "--contains");
     expectRefused({"query", "a.glb", "p.npy", "--contains", "--within", "1"}, "--nearest");
     for (const char* none : {"-1", "nan", "far"})
         expectRefused({"query", "a.glb", "p.npy", "--nearest", "--within", none}, "number of 0 or more");
