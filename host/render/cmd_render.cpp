@@ -52,13 +52,14 @@ std::vector<uint32_t> alphaConstants(const TraceMode& mode, const PictureInfo& i
 class PictureRecording {
   public:
     PictureRecording(VkCommandBuffer commands, const PictureKernels& kernels, const PictureTracing& tracing,
-                     const PictureInfo& info, const Range* scratch, uint32_t sample)
+                     const PictureInfo& info, const Range* scratch, uint32_t sample, const RaySlice& slice)
         : kernels_(kernels),
           recorder_(kernels.recorder(commands)),
           tracing_(tracing),
           info_(info),
           scratch_(scratch),
           sample_(sample),
+          slice_(slice),
           counts_(pictureCounts(info.camera.width, info.camera.height, static_cast<uint32_t>(info.view))),
           at_(pictureLayout(counts_, info.largestRange)) {}
 
@@ -75,7 +76,7 @@ class PictureRecording {
         if (bounce_ == 0) zero(offsetof(PictureState, primary), sizeof(TraceCounters));
         TraceInfo trace = traced(at_.rays, at_.hits, at_.trails, info_.primaryMode(), resumes);
         trace.counters = address(at_.state) + offsetof(PictureState, primary);
-        if (counts_.counted > 0) trace.steps = address(at_.steps);
+        if (counts_.counted > 0) trace.steps = sliceOf<StepCount>(at_.steps);
         hits(bounce_ == 0 ? PictureRays::primary : PictureRays::bounce, tracing_.primary, trace);
         note(bounce_ == 0 ? "trace" : "trace bounces");
     }
@@ -128,19 +129,26 @@ class PictureRecording {
     const PictureInfo& info_;
     const Range* scratch_;
     const uint32_t sample_;
+    const RaySlice slice_;
     uint32_t bounce_ = 0;  // of paths, whose rays of all bounces are counted together
     PictureCounts counts_;
     PictureLayout at_;
 
-    uint32_t rayCount() const { return static_cast<uint32_t>(counts_.pixels); }
     VkDeviceAddress address(const Place& p) const { return addressOf(p, scratch_); }
-    PicturePush push(uint32_t round) const { return {address(at_.args), round, sample_}; }
+    // Of an array with an element per ray, where it has those of the slice.
+    template <class T>
+    VkDeviceAddress sliceOf(const Place& p) const {
+        return address(p) + slice_.first * sizeof(T);
+    }
+    PicturePush push(uint32_t round) const {
+        return {address(at_.args), round, sample_, slice_.first, slice_.first + slice_.count};
+    }
     void pass(PictureKernels::Pass kernel, uint32_t round, uint32_t groups) {
         const Kernel& made = kernels_.of(kernel, info_);
         recorder_.dispatch(made, push(round), groups);
         note(made.name().data());
     }
-    void perRay(PictureKernels::Pass kernel, uint32_t round = 0) { pass(kernel, round, ceilDiv(rayCount(), kGroup)); }
+    void perRay(PictureKernels::Pass kernel, uint32_t round = 0) { pass(kernel, round, ceilDiv(slice_.count, kGroup)); }
     void note(const char* pass) const {
         if (info_.onPass) info_.onPass(info_.user, pass);
     }
@@ -160,10 +168,10 @@ class PictureRecording {
                      bool resumes) const {
         TraceInfo trace;
         trace.tree = info_.tree;
-        trace.rays = address(rays);
-        trace.hits = address(hits);
-        trace.trails = address(trails);
-        trace.count = rayCount();
+        trace.rays = sliceOf<Ray>(rays);
+        trace.hits = sliceOf<Hit>(hits);
+        trace.trails = sliceOf<Trail>(trails);
+        trace.count = slice_.count;
         trace.mode = mode;
         trace.stepLimit = info_.stepLimit;
         trace.resumes = resumes;
@@ -189,7 +197,6 @@ PictureArgs pictureArgs(const PictureInfo& info, const PictureLayout& at, const 
     a.albedo = info.albedo;
     a.camera = info.camera;
     a.view = static_cast<uint32_t>(info.view);
-    a.count = info.camera.width * info.camera.height;
     a.samples = info.samples;
     a.exposure = info.exposure;
     a.settings = info.settings;
@@ -238,9 +245,9 @@ const Kernel& PictureKernels::ofAlpha(const TraceMode& mode, const PictureInfo& 
 }
 
 void cmdRenderSample(VkCommandBuffer commands, const PictureKernels& kernels, const PictureTracing& tracing,
-                     const PictureInfo& info, const Range* scratch, uint32_t sample) {
-    PictureRecording picture(commands, kernels, tracing, info, scratch, sample);
-    if (sample == 0) picture.arguments();
+                     const PictureInfo& info, const Range* scratch, uint32_t sample, const RaySlice& slice) {
+    PictureRecording picture(commands, kernels, tracing, info, scratch, sample, slice);
+    if (sample == 0 && slice.first == 0) picture.arguments();
     picture.cameraRays();
     picture.primaryHits(false);
     if (info.view == View::path) return picture.paths();
@@ -252,12 +259,13 @@ void cmdRenderSample(VkCommandBuffer commands, const PictureKernels& kernels, co
 
 void cmdShowPicture(VkCommandBuffer commands, const PictureKernels& kernels, const PictureInfo& info,
                     const Range* scratch, uint32_t samples) {
-    PictureRecording(commands, kernels, {}, info, scratch, samples).pixels();
+    PictureRecording(commands, kernels, {}, info, scratch, samples, allRays(info)).pixels();
 }
 
 void cmdResumeSample(VkCommandBuffer commands, const PictureKernels& kernels, const PictureTracing& tracing,
-                     const PictureInfo& info, const Range* scratch, uint32_t sample, PictureRays rays) {
-    PictureRecording picture(commands, kernels, tracing, info, scratch, sample);
+                     const PictureInfo& info, const Range* scratch, uint32_t sample, const RaySlice& slice,
+                     PictureRays rays) {
+    PictureRecording picture(commands, kernels, tracing, info, scratch, sample, slice);
     const bool primary = rays == PictureRays::primary;
     if (primary) {
         picture.primaryHits(true);

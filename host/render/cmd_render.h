@@ -37,6 +37,9 @@ inline bool takesSamples(View view) { return view == View::shaded || view == Vie
     ROW(path_gather, pathGather)         \
     ROW(tone, tone)
 
+// Where a view has a scale: its ends are found in all of the picture before anything is coloured.
+inline bool hasScale(View view) { return view == View::depth || countsSteps(view); }
+
 // From the camera; on from a surface; to a light.
 enum class PictureRays { primary, bounce, shadow };
 
@@ -110,20 +113,29 @@ struct PictureTracing {
     const Context* shadow = nullptr;   // has info.shadowMode(), for the views of light
 };
 
+// Rays that go through the picture together, by their numbers (pixelOf() in shared/picture.h).
+struct RaySlice {
+    uint32_t first = 0;
+    uint32_t count = 0;
+};
+inline RaySlice allRays(const PictureInfo& info) { return {0, info.camera.width * info.camera.height}; }
+
 // Records sample `sample` of a picture, from 0 on in ascending order, with the ranges of `scratch`, sized as
-// pictureLayout() says: its light, or its colours, are added to those of the samples before.
+// pictureLayout() says: its light, or its colours, are added to those of the samples before. A sample is taken slice by
+// slice, the one with ray 0 first; as a whole in the views that have a scale.
 void cmdRenderSample(VkCommandBuffer commands, const PictureKernels& kernels, const PictureTracing& tracing,
-                     const PictureInfo& info, const Range* scratch, uint32_t sample);
+                     const PictureInfo& info, const Range* scratch, uint32_t sample, const RaySlice& slice);
 
 // Makes pixels of what `samples` samples have gathered. The pixels, the radiance and the PictureState are then where
 // the layout has them.
 void cmdShowPicture(VkCommandBuffer commands, const PictureKernels& kernels, const PictureInfo& info,
                     const Range* scratch, uint32_t samples);
 
-// Where PictureState tells of rays that the step limit ended, a sample goes on by these, as often as it takes, before
+// Where PictureState tells of rays that the step limit ended, a slice goes on by these, as often as it takes, before
 // the next one: the rays of one kind continue, and what follows from their hits is made anew. Not for paths.
 void cmdResumeSample(VkCommandBuffer commands, const PictureKernels& kernels, const PictureTracing& tracing,
-                     const PictureInfo& info, const Range* scratch, uint32_t sample, PictureRays rays);
+                     const PictureInfo& info, const Range* scratch, uint32_t sample, const RaySlice& slice,
+                     PictureRays rays);
 
 std::span<const Spirv> renderKernels() noexcept;
 

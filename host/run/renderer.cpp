@@ -73,14 +73,18 @@ struct Renderer::State {
     Functions functions;
     PictureKernels kernels;
     Commands commands;
-    RangeBuffers scratch;  // kept from picture to picture
-    PictureLayout at;
-    ImageCamera camera{};
-    uint32_t samples = 0;
-    bool ofLight = false;
+    RangeBuffers scratch;                            // kept from picture to picture
     std::optional<Buffer> albedo, lights, emitters;  // of paths
 
-    size_t pixels() const { return size_t{camera.width} * camera.height; }
+    // Of the picture that was begun last.
+    PictureInfo info;
+    PictureTracing tracing;
+    PictureLayout at;
+    Picture picture;     // what is known of it so far
+    uint32_t taken = 0;  // rays of the sample that is not whole yet
+    PictureState lastState{};
+
+    size_t pixels() const { return size_t{info.camera.width} * info.camera.height; }
 
     template <class T>
     std::vector<T> read(const Place& place, size_t count) const {
@@ -89,9 +93,7 @@ struct Renderer::State {
         return items;
     }
 
-    void reserve(const PictureInfo& info) {
-        camera = info.camera;
-        ofLight = isOfLight(static_cast<uint32_t>(info.view));
+    void reserve() {
         at = pictureLayout(pictureCounts(info.camera.width, info.camera.height, static_cast<uint32_t>(info.view)),
                            info.largestRange);
         if (!at.ranges.fits())
@@ -104,7 +106,7 @@ struct Renderer::State {
 
     // Runs what `record` records, and adds to the picture's times.
     template <class Record>
-    void run(Picture& picture, const Record& record) {
+    void run(const Record& record) {
         commands.begin();
         record();
         commands.run();
@@ -129,7 +131,7 @@ struct Renderer::State {
         return uploaded(device, std::span<const T>(items));
     }
 
-    void lightPaths(PictureInfo& info, const PictureRequest& request) {
+    void lightPaths(const PictureRequest& request) {
         if (!albedo) albedo = uploaded(device, std::span<const SpecularAlbedo>(albedoTable()));
         lights = uploadedIfAny(request.lighting.lights);
         emitters = uploadedIfAny(request.lighting.emitterTable);
@@ -142,15 +144,18 @@ struct Renderer::State {
         info.settings.bounces = request.bounces;
     }
 
-    // A sample, until all of its rays are answered; what the picture's state tells then.
-    PictureState sample(Picture& picture, const PictureTracing& tracing, const PictureInfo& info, uint32_t number) {
-        run(picture, [&] { cmdRenderSample(commands.handle(), kernels, tracing, info, scratch.ranges(), number); });
+    // A slice of a sample, until all of its rays are answered; what the picture's state tells then.
+    PictureState take(const RaySlice& slice) {
+        run([&] {
+            cmdRenderSample(commands.handle(), kernels, tracing, info, scratch.ranges(), picture.samples, slice);
+        });
         PictureState told = state();
         if (info.view == View::path) return told;
         const auto resume = [&](PictureRays rays, TraceCounters PictureState::*counters) {
             for (uint32_t i = 1; (told.*counters).unfinishedRays > 0 && i < limits.mostDispatches; i++) {
-                run(picture, [&] {
-                    cmdResumeSample(commands.handle(), kernels, tracing, info, scratch.ranges(), number, rays);
+                run([&] {
+                    cmdResumeSample(commands.handle(), kernels, tracing, info, scratch.ranges(), picture.samples, slice,
+                                    rays);
                 });
                 told = state();
             }
@@ -158,6 +163,15 @@ struct Renderer::State {
         resume(PictureRays::primary, &PictureState::primary);
         resume(PictureRays::shadow, &PictureState::shadow);
         return told;
+    }
+
+    // Whole strips of tiles, so that a slice is some rows of the picture.
+    RaySlice nextSlice() const {
+        const RaySlice all = allRays(info);
+        if (hasScale(info.view)) return all;
+        const uint64_t strip = uint64_t{8} * info.camera.width;
+        const uint64_t most = std::max<uint64_t>(limits.batch / strip, 1) * strip;
+        return {taken, static_cast<uint32_t>(std::min<uint64_t>(most, all.count - taken))};
     }
 };
 
@@ -170,8 +184,18 @@ Renderer::~Renderer() = default;
 
 Picture Renderer::render(const DeviceTree& tree, const DeviceTriangles& triangles, const DeviceSurfaces& surfaces,
                          const PictureRequest& request) {
+    begin(tree, triangles, surfaces, request);
+    while (samplesTaken() < request.samples) {
+        while (!takeSlice()) continue;
+        if (request.goesOn && !request.goesOn(samplesTaken())) break;
+    }
+    return show();
+}
+
+void Renderer::begin(const DeviceTree& tree, const DeviceTriangles& triangles, const DeviceSurfaces& surfaces,
+                     const PictureRequest& request) {
     State& s = *state_;
-    PictureInfo info;
+    PictureInfo& info = s.info = {};
     info.tree = tree.address();
     info.triangles = triangles.triangles.address();
     info.surfaces = surfaces.addresses();
@@ -180,7 +204,7 @@ Picture Renderer::render(const DeviceTree& tree, const DeviceTriangles& triangle
     info.samples = request.samples;
     info.exposure = request.exposure;
     info.settings.seed = mixedSeed(request.seed);
-    if (request.view == View::path) s.lightPaths(info, request);
+    if (request.view == View::path) s.lightPaths(request);
     info.traversal = request.traversal;
     info.test = request.test;
     info.largestRange = s.device.largestAllocation();
@@ -188,29 +212,44 @@ Picture Renderer::render(const DeviceTree& tree, const DeviceTriangles& triangle
     info.onPass = [](void* user, const char* pass) { static_cast<Commands*>(user)->stamp(pass); };
     info.user = &s.commands;
     const bool shadows = request.view == View::shaded || lightChoices(info.settings) > 0;
-    PictureTracing tracing;
+    s.tracing = {};
     if (!info.looksThrough(PictureRays::primary) ||
         (info.view == View::path && !info.looksThrough(PictureRays::bounce)))
-        tracing.primary = &s.tracer.context(info.primaryMode());
-    if (shadows && !info.looksThrough(PictureRays::shadow)) tracing.shadow = &s.tracer.context(info.shadowMode());
+        s.tracing.primary = &s.tracer.context(info.primaryMode());
+    if (shadows && !info.looksThrough(PictureRays::shadow)) s.tracing.shadow = &s.tracer.context(info.shadowMode());
     const Stopwatch setup;
     s.kernels.prepare(info);
     setupMs_ += setup.milliseconds();
-    s.reserve(info);
+    s.reserve();
+    s.picture = {};
+    s.picture.width = request.camera.width;
+    s.picture.height = request.camera.height;
+    s.taken = 0;
+    s.lastState = {};
+}
 
-    Picture picture;
-    picture.width = request.camera.width;
-    picture.height = request.camera.height;
-    PictureState state{};
-    while (picture.samples < info.samples) {
-        state = s.sample(picture, tracing, info, picture.samples++);
-        picture.invalidRays += state.primary.invalidRays;
-        picture.cappedRays += state.primary.unfinishedRays + state.shadow.unfinishedRays;
-        if (request.goesOn && !request.goesOn(picture.samples)) break;
-    }
-    s.samples = picture.samples;
-    s.run(picture, [&] { cmdShowPicture(s.commands.handle(), s.kernels, info, s.scratch.ranges(), picture.samples); });
-    const ViewScale scale = viewScale(state.lowBits, state.highBits);
+bool Renderer::takeSlice() {
+    State& s = *state_;
+    const RaySlice slice = s.nextSlice();
+    s.lastState = s.take(slice);
+    s.picture.invalidRays += s.lastState.primary.invalidRays;
+    s.picture.cappedRays += s.lastState.primary.unfinishedRays + s.lastState.shadow.unfinishedRays;
+    s.taken += slice.count;
+    if (s.taken < s.pixels()) return false;
+    s.taken = 0;
+    s.picture.samples++;
+    return true;
+}
+
+uint32_t Renderer::samplesTaken() const { return state_->picture.samples; }
+uint32_t Renderer::rowsTaken() const { return state_->taken / state_->info.camera.width; }
+
+Picture Renderer::show() {
+    State& s = *state_;
+    const uint32_t samples = std::max(s.picture.samples, 1u);
+    s.run([&] { cmdShowPicture(s.commands.handle(), s.kernels, s.info, s.scratch.ranges(), samples); });
+    Picture picture = s.picture;
+    const ViewScale scale = viewScale(s.lastState.lowBits, s.lastState.highBits);
     picture.scaleLow = scale.low;
     picture.scaleHigh = scale.high;
     picture.pixels = s.read<uint32_t>(s.at.pixels, s.pixels());
@@ -221,13 +260,14 @@ std::vector<Ray> Renderer::readRays() const { return state_->read<Ray>(state_->a
 std::vector<Hit> Renderer::readHits() const { return state_->read<Hit>(state_->at.hits, state_->pixels()); }
 
 std::vector<vec3> Renderer::readRadiance() const {
-    const ImageCamera& camera = state_->camera;
+    const ImageCamera& camera = state_->info.camera;
+    const bool ofLight = isOfLight(static_cast<uint32_t>(state_->info.view));
     const std::vector<vec3> sums = state_->read<vec3>(state_->at.radiance, state_->pixels());
-    const std::vector<vec4> unlit = state_->read<vec4>(state_->at.unlit, state_->ofLight ? sums.size() : 0);
+    const std::vector<vec4> unlit = state_->read<vec4>(state_->at.unlit, ofLight ? sums.size() : 0);
     std::vector<vec3> means(sums.size());
     for (uint32_t i = 0; i < sums.size(); i++) {
         const vec3 sum = unlit.empty() ? sums[i] : sums[i] + vec3(unlit[i]);
-        means[pixelOf(i, camera.width, camera.height)] = sum / static_cast<float>(state_->samples);
+        means[pixelOf(i, camera.width, camera.height)] = sum / static_cast<float>(state_->picture.samples);
     }
     return means;
 }

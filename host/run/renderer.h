@@ -71,6 +71,20 @@ class Renderer {
     Picture render(const DeviceTree& tree, const DeviceTriangles& triangles, const DeviceSurfaces& surfaces,
                    const PictureRequest& request);
 
+    // The same in parts, for those who look at it on the way. What begin() is given outlives the picture; one that was
+    // not finished is forgotten.
+    void begin(const DeviceTree& tree, const DeviceTriangles& triangles, const DeviceSurfaces& surfaces,
+               const PictureRequest& request);
+    // Takes the next slice of a sample, at most TraceLimits::batch rays or, in the views that have a scale, all. True
+    // if the sample is whole now.
+    bool takeSlice();
+    // Whole samples so far, and the rows of the picture, from the top, that have one more.
+    uint32_t samplesTaken() const;
+    uint32_t rowsTaken() const;
+    // The picture of the whole samples; before there is one, the rows that were taken, and nothing below them. Not between
+    // the slices of a later sample.
+    Picture show();
+
     // The primary rays of the last picture's last sample and their hits, tile by tile (pixelOf() in shared/picture.h).
     // They are read from the device, where they stay otherwise. Paths overwrite theirs.
     std::vector<Ray> readRays() const;

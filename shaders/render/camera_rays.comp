@@ -7,7 +7,7 @@ layout(local_size_x = kGroup) in;
 
 void main() {
     uint i = rayIndex();
-    if (i >= args.count) return;
+    if (i >= push.end) return;
     ImageCamera camera = args.camera;
     uint pixel = pixelOf(i, camera.width, camera.height);
     uint x = pixel % camera.width;

@@ -13,7 +13,7 @@ void main() {
     for (uint k = lane; k < 256u; k += kGroup) counters[k] = 0u;
     barrier();
     uint i = rayIndex();
-    if (i < args.count && countsInScale(args.view, args.hits.at[i])) {
+    if (i < push.end && countsInScale(args.view, args.hits.at[i])) {
         uint count = shownCount(args.view, args.steps.at[i]);
         uint shift = 24u - 8u * push.round;
         if (push.round == 0u || count >> (shift + 8u) == state.prefix) atomicAdd(counters[count >> shift & 255u], 1u);

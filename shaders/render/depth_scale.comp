@@ -16,7 +16,7 @@ void main() {
     }
     barrier();
     uint i = rayIndex();
-    if (i < args.count) {
+    if (i < push.end) {
         Hit hit = args.hits.at[i];
         if (hit.prim != kNone) {
             TreeData tree = args.tree.at;

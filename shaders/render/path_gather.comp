@@ -8,7 +8,7 @@ layout(local_size_x = kGroup) in;
 
 void main() {
     uint i = rayIndex();
-    if (i >= args.count || args.shadowHits.at[i].prim != kNone) return;
+    if (i >= push.end || args.shadowHits.at[i].prim != kNone) return;
     uint path = args.shadowPaths.at[i];
     args.radiance.at[path] = args.radiance.at[path] + args.direct.at[i];
 }

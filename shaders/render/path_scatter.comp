@@ -46,7 +46,7 @@ void gather(uint path, PathStep s, bool begins) {
 
 void main() {
     uint i = rayIndex();
-    bool exists = i < args.count;
+    bool exists = i < push.end;
     bool first = push.round == 0u;
     uint path = i;
     PathStep s = endOfPath(vec3(0.0));

@@ -30,7 +30,7 @@ vec3 colourOf(uint i) {
 void main() {
     uint i = rayIndex();
     // Where rays go on in a further dispatch, this pass is run again after it.
-    if (i >= args.count || state.primary.unfinishedRays + state.shadow.unfinishedRays > 0u) return;
+    if (i >= push.end || state.primary.unfinishedRays + state.shadow.unfinishedRays > 0u) return;
     vec3 colour = colourOf(i);
     bool unlit = isOfLight(args.view) && showsUnlit(args.hits.at[i]);
     vec3 before = push.path == 0u ? vec3(0.0) : args.radiance.at[i];

@@ -7,7 +7,7 @@ layout(local_size_x = kGroup) in;
 
 void main() {
     uint i = rayIndex();
-    if (i >= args.count) return;
+    if (i >= push.end) return;
     Hit hit = args.hits.at[i];
     Triangle t = Triangle(vec3(0.0), vec3(0.0), vec3(0.0));
     if (hit.prim != kNone) t = args.triangles.at[hit.prim];

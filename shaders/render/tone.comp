@@ -7,7 +7,7 @@ layout(local_size_x = kGroup) in;
 
 void main() {
     uint i = rayIndex();
-    if (i >= args.count) return;
+    if (i >= push.end) return;
     vec4 unlit = vec4(0.0);
     if (isOfLight(args.view)) unlit = args.unlit.at[i];
     args.pixels.at[pixelOf(i, args.camera.width, args.camera.height)] =

@@ -31,7 +31,7 @@ bool isOpaqueTriangle(uint number) {
 }
 
 bool findsSurface(uint number, float u, float v) {
-    uint ray = groupIndex() * kGroup + gl_LocalInvocationID.x;
+    uint ray = picture.first + groupIndex() * kGroup + gl_LocalInvocationID.x;
     SurfaceArrays surfaces = surfaceArrays();
     Material material = materialOf(surfaces, number);
     bool backCounts = seesBothSides() || (material.flags & kMaterialSingleSided) == 0u;

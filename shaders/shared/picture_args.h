@@ -41,13 +41,11 @@ struct PictureArgs {
     CLEAVE_ADDRESS(AlbedoTable) albedo;
     ImageCamera camera;
     uint view;
-    uint count;    // of pixels
     uint samples;  // of a pixel; a single one is at its centre
     float exposure;
     PathSettings settings;
-    uint reserved;
 };
-CLEAVE_SIZE(PictureArgs, 416);
+CLEAVE_SIZE(PictureArgs, 408);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) buffer PictureArgsRef { PictureArgs at; };
@@ -58,16 +56,18 @@ struct PicturePush {
     // Of count_histogram and select_count: 0 to 3, from the highest byte of the counts to the lowest. Of path_scatter:
     // the bounce, from 0.
     uint round;
-    uint path;  // the sample, from 0; of tone: how many there are
+    uint path;   // the sample, from 0; of tone: how many there are
+    uint first;  // the slice of the picture's rays that the pass is for: of these numbers,
+    uint end;    // below this one
 };
-CLEAVE_SIZE(PicturePush, 16);
+CLEAVE_SIZE(PicturePush, 24);
 
 // Of trace_alpha; `round` is the bounce that the rays come to or, of shadow rays, leave.
 struct SurfaceTracePush {
     TracePush trace;
     PicturePush picture;
 };
-CLEAVE_SIZE(SurfaceTracePush, 80);
+CLEAVE_SIZE(SurfaceTracePush, 88);
 
 CLEAVE_END
 #endif

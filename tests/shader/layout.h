@@ -84,7 +84,7 @@ struct LayoutRecord {
     ADDRESS(pictureArgs.texels, TexelArray) ADDRESS(pictureArgs.lights, LightArray)                              \
     ADDRESS(pictureArgs.emitters, AliasArray) ADDRESS(pictureArgs.albedo, AlbedoTable)                           \
     DOUBLE(pictureArgs.camera.pixel) UINT(pictureArgs.view)                                                      \
-    UINT(pictureArgs.count) UINT(pictureArgs.samples) FLOAT(pictureArgs.exposure)                                \
+    UINT(pictureArgs.samples) FLOAT(pictureArgs.exposure)                                \
     FLOAT(pictureArgs.settings.sky.horizon.x) FLOAT(pictureArgs.settings.sky.zenith.z)                           \
     UINT(pictureArgs.settings.lightCount) UINT(pictureArgs.settings.emitters.slots)                              \
     FLOAT(pictureArgs.settings.emitters.scale) UINT(pictureArgs.settings.bounces) UINT(pictureArgs.settings.seed)     \
@@ -104,7 +104,7 @@ struct LayoutRecord {
     ADDRESS(queryPush.answers, UintArray) ADDRESS(queryPush.first, UintArray)                                    \
     ADDRESS(queryPush.triangles, UintArray) UINT(queryPush.count) FLOAT(queryPush.within)                        \
     ADDRESS(compactPush.from, Tree) ADDRESS(compactPush.to, Tree) UINT(compactPush.invocations)                  \
-    ADDRESS(picturePush.args, PictureArgsRef) UINT(picturePush.round) UINT(picturePush.path)                                            \
+    ADDRESS(picturePush.args, PictureArgsRef) UINT(picturePush.round) UINT(picturePush.path) UINT(picturePush.first) UINT(picturePush.end)                                            \
     ADDRESS(peerPush.scene, uvec2) ADDRESS(peerPush.rays, RayArray) ADDRESS(peerPush.hits, HitArray)             \
     UINT(peerPush.rayCount) UINT(peerPush.reserved)
 

@@ -194,11 +194,12 @@ PictureArrays PicturePair::onDevice(PictureKernels::Pass pass, PassNumbers numbe
     kernels().prepare(info);
     Commands commands(device());
     commands.begin();
-    const uint32_t groups = pass == PictureKernels::select_count ? 1 : ceilDiv(args.count, kGroup);
+    const uint32_t count = args.camera.width * args.camera.height;
+    const uint32_t groups = pass == PictureKernels::select_count ? 1 : ceilDiv(count, kGroup);
     kernels()
         .recorder(commands.handle())
         .dispatch(kernels().of(pass, info),
-                  PicturePush{scratch.address() + at_.args.offset, numbers.round, numbers.path}, groups);
+                  PicturePush{scratch.address() + at_.args.offset, numbers.round, numbers.path, 0, count}, groups);
     commands.run();
     all(false);
     scratch.read(at_.state.offset, &result.state, sizeof(PictureState));
