@@ -16,6 +16,11 @@ bool isOn(const char* variable) {
 
 }  // namespace
 
+ValidationListener validationAsked() {
+    if (!isOn("CLEAVE_VALIDATION")) return nullptr;
+    return [](const char* message) { std::fprintf(stderr, "validation: %s\n", message); };
+}
+
 Device& DeviceKit::device() {
     if (device_) return *device_;
     DeviceOptions options;
@@ -24,8 +29,7 @@ Device& DeviceKit::device() {
     options.rayTracing = rayTracing_ && !isOn("CLEAVE_NO_RAY_TRACING");
     options.loadPipelines = loadPipelines;
     options.storePipelines = storePipelines;
-    if (isOn("CLEAVE_VALIDATION"))
-        options.onValidation = [](const char* message) { std::fprintf(stderr, "validation: %s\n", message); };
+    options.onValidation = validationAsked();
     device_ = std::make_unique<Device>(std::move(options));
     return *device_;
 }

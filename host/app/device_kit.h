@@ -14,6 +14,9 @@
 
 namespace cleave {
 
+// What CLEAVE_VALIDATION=1 in the environment asks for: messages go to stderr. Nothing otherwise.
+ValidationListener validationAsked();
+
 class DeviceKit {
   public:
     // `rayTracing`: with the driver's own, too, to compare with.

@@ -30,12 +30,6 @@ constexpr std::array<std::pair<const char*, Command>, 8> kCommands = {{{"render"
                                                                        {"report", Command::report},
                                                                        {"stability", Command::stability},
                                                                        {"devices", Command::devices}}};
-constexpr std::array<std::pair<const char*, View>, 6> kViews = {{{"shaded", View::shaded},
-                                                                 {"path", View::path},
-                                                                 {"normals", View::normals},
-                                                                 {"depth", View::depth},
-                                                                 {"steps", View::steps},
-                                                                 {"leaves", View::leaves}}};
 constexpr std::array<std::pair<const char*, StopRule>, 2> kStopRules = {
     {{"sah", StopRule::cost}, {"sa-n", StopRule::equation41}}};
 constexpr std::array<std::pair<const char*, SmallNodes>, 2> kSmallNodes = {
@@ -258,9 +252,9 @@ void addFrames(CLI::App& app, Options& options, CLI::Option* time) {
     for (CLI::Option* option : {fps, part, skip}) option->needs(frames);
 }
 
-void addRender(CLI::App& app, Options& options) {
+// What a picture shows.
+void addPicture(CLI::App& app, Options& options) {
     addScene(app, options, ".gltf or .glb; a scene of ours where left out", false);
-    app.add_option("-o,--output", options.output, "the picture (out.png)")->type_name("FILE");
     addParsed<glm::uvec2>(
         app, "--size", "WxH", "pixels (1280x720)", parseSize,
         [&options](glm::uvec2 size) {
@@ -295,6 +289,11 @@ void addRender(CLI::App& app, Options& options) {
     addParsed<double>(
         app, "--exposure", "EV", "shaded, path: brighter by so many powers of two (0)", stops,
         [&options](double ev) { options.exposure = static_cast<float>(std::exp2(ev)); }, "a number from -64 to 64");
+}
+
+void addRender(CLI::App& app, Options& options) {
+    addPicture(app, options);
+    app.add_option("-o,--output", options.output, "the picture (out.png)")->type_name("FILE");
     const auto seconds = [](const std::string& given) {
         const auto s = parseNumber(given);
         return s && *s > 0.0 ? s : std::nullopt;
@@ -458,6 +457,18 @@ void addStability(CLI::App& app, Options& options) {
     addOutput(app, options);
 }
 
+void addView(CLI::App& app, Options& options) {
+    addPicture(app, options);
+    const auto read = [&options](const std::string& given) { options.script = given; };
+    app.add_option_function<std::string>("--script", read, "steps that drive the window, a line each")
+        ->type_name("FILE");
+    addTime(app, options);
+    addBuild(app, options, false);
+    addNames(app, "--traversal", "how rays go (stack)", options.traversals, kTraversals, false);
+    addNames(app, "--triangle-test", "how hits are decided", options.triangleTests, kTriangleTests, false);
+    addOutput(app, options);
+}
+
 std::unique_ptr<CLI::App> makeApp(Options& options) {
     auto app =
         std::make_unique<CLI::App>("cleave: ray queries on any Vulkan device, through kd-trees built there", "cleave");
@@ -525,21 +536,15 @@ constexpr uint32_t kQuickRuns = 2;
 // To be typed again in a shell; the program by its name.
 std::string lineOf(int argc, const char* const* argv) {
     std::string line = "cleave";
-    for (const std::string_view word : std::span(argv + 1, static_cast<size_t>(argc - 1))) {
-        const bool plain = !word.empty() && word.find_first_not_of(
-                                                "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
-                                                "0123456789-_=+,./:@%") == std::string_view::npos;
-        line += plain ? " " + std::string(word) : " '";
-        if (plain) continue;
-        for (const char c : word) line += c == '\'' ? "'\\''" : std::string(1, c);
-        line += "'";
-    }
+    for (const std::string_view word : std::span(argv + 1, static_cast<size_t>(argc - 1)))
+        line += " " + shellWord(word);
     return line;
 }
 
 }  // namespace
 
-uint32_t samplesOf(const Options& options) { return options.samples.value_or(options.view == View::path ? 64 : 1); }
+uint32_t defaultSamples(View view) { return view == View::path ? 64 : 1; }
+uint32_t samplesOf(const Options& options) { return options.samples.value_or(defaultSamples(options.view)); }
 
 uint64_t raysToJudge(const Options& options) { return options.check > 0 ? options.check : 2048; }
 
@@ -569,6 +574,26 @@ Request parseCommandLine(int argc, const char* const* argv) {
     if (options.command == Command::report && options.quick && app->get_subcommand("report")->count("--runs") == 0)
         options.runs = kQuickRuns;
     options.line = lineOf(argc, argv);
+    complete(options);
+    return options;
+}
+
+Request parseViewerLine(int argc, const char* const* argv) {
+    Options options;
+    CLI::App app("cleave-view: fly through a scene, and see its tree", "cleave-view");
+    app.set_version_flag("--version", "cleave-view " CLEAVE_VERSION, "print the version and end");
+    addView(app, options);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        return app.help();
+    } catch (const CLI::CallForVersion& version) {
+        return std::string(version.what()) + "\n";
+    } catch (const CLI::ExtrasError& error) {
+        throw UsageError(std::string(error.what()) + "; there is: " + optionsOf(app));
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(std::string(error.what()) + " (see: cleave-view --help)");
+    }
     complete(options);
     return options;
 }

@@ -38,7 +38,7 @@ struct FrameRange {
 inline constexpr std::string_view kAllAnimations = "all";
 
 struct Options {
-    Command command = Command::devices;
+    Command command = Command::devices;         // of cleave
     std::string line;                           // as it was typed, for figures to say where they come from
     std::vector<std::filesystem::path> scenes;  // render: may be empty, for the default scene; bench: several
     std::filesystem::path rays;                 // or points, or boxes
@@ -87,12 +87,16 @@ struct Options {
     uint64_t seed = 1;
     std::optional<uint64_t> parity;  // count so many lines through closed meshes instead
     std::optional<uint64_t> leaks;   // shoot so many rays from inside of closed meshes instead
+
+    std::optional<std::filesystem::path> script;  // that drives the window
 };
 
 // A text to print instead of a run: help or version.
 using Request = std::variant<Options, std::string>;
 
-// Of --spp, or what the view has without it: 64 for paths, 1 for others.
+// What a pixel has without --spp: 64 samples for paths, 1 for others.
+uint32_t defaultSamples(View view);
+// Of --spp, or these.
 uint32_t samplesOf(const Options& options);
 
 // Rays per set that a benchmark judges before it tells any time: those of --check, or 2048.
@@ -105,5 +109,7 @@ struct UsageError : std::runtime_error {
 
 // Throws UsageError, whose text says what there is to choose from. Files are not looked at.
 Request parseCommandLine(int argc, const char* const* argv);
+// The command line of cleave-view.
+Request parseViewerLine(int argc, const char* const* argv);
 
 }  // namespace cleave

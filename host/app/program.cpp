@@ -51,12 +51,16 @@ void requirePrinted() {
 
 }  // namespace
 
-int runProgram(int argc, const char* const* argv) try {
-    const Request request = parseCommandLine(argc, argv);
+int runProgram(int argc, const char* const* argv) {
+    return runRequest([&] { return parseCommandLine(argc, argv); }, runCommand);
+}
+
+int runRequest(const std::function<Request()>& parse, const std::function<void(const Options&)>& run) try {
+    const Request request = parse();
     if (const auto* text = std::get_if<std::string>(&request))
         std::fputs(text->c_str(), stdout);
     else
-        runCommand(std::get<Options>(request));
+        run(std::get<Options>(request));
     requirePrinted();
     return 0;
 } catch (const UsageError& error) {

@@ -1,4 +1,5 @@
-// Builders, axes, traversals and triangle tests by name: as the command line takes them and as figures show them.
+// Builders, axes, views, traversals and triangle tests by name: as the command line takes them and as figures show
+// them.
 #pragma once
 
 #include <array>
@@ -7,6 +8,7 @@
 #include <utility>
 
 #include "cleave/modes.hpp"
+#include "render/cmd_render.h"
 #include "tree/kd_tree.h"
 
 namespace cleave {
@@ -23,6 +25,12 @@ inline constexpr Builder Builder::exact{"exact"};
 
 inline constexpr std::array<std::pair<const char*, AxisChoice>, 3> kAxes = {
     {{"all", AxisChoice::all}, {"widest", AxisChoice::widest}, {"cycle", AxisChoice::cycle}}};
+inline constexpr std::array<std::pair<const char*, View>, 6> kViews = {{{"shaded", View::shaded},
+                                                                        {"path", View::path},
+                                                                        {"normals", View::normals},
+                                                                        {"depth", View::depth},
+                                                                        {"steps", View::steps},
+                                                                        {"leaves", View::leaves}}};
 inline constexpr std::array<std::pair<const char*, Traversal>, 3> kTraversals = {
     {{"restart", Traversal::restart}, {"stack", Traversal::stack}, {"short-stack", Traversal::shortStack}}};
 inline constexpr std::array<std::pair<const char*, TriangleTest>, 3> kTriangleTests = {

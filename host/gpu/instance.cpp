@@ -87,7 +87,7 @@ void Instance::destroyMessenger(VkInstance instance, VkDebugUtilsMessengerEXT me
         instance, messenger, allocator);
 }
 
-Instance::Instance(ValidationListener listener) : instance_(0) {
+Instance::Instance(ValidationListener listener, std::span<const char* const> extensions) : instance_(0) {
     VkApplicationInfo app{};
     app.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
     app.pApplicationName = "cleave";
@@ -99,7 +99,7 @@ Instance::Instance(ValidationListener listener) : instance_(0) {
     const bool validates = static_cast<bool>(listener);
     listener_ = std::make_unique<ValidationListener>(std::move(listener));
     const char* layer = "VK_LAYER_KHRONOS_validation";
-    const char* extensions[] = {VK_EXT_DEBUG_UTILS_EXTENSION_NAME, VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME};
+    std::vector<const char*> enabledExtensions(extensions.begin(), extensions.end());
     const VkValidationFeatureEnableEXT enabled = VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;
     VkValidationFeaturesEXT features{};
     VkDebugUtilsMessengerCreateInfoEXT debug = messengerInfo(listener_.get());
@@ -111,9 +111,11 @@ Instance::Instance(ValidationListener listener) : instance_(0) {
         info.pNext = &features;
         info.enabledLayerCount = 1;
         info.ppEnabledLayerNames = &layer;
-        info.enabledExtensionCount = 2;
-        info.ppEnabledExtensionNames = extensions;
+        enabledExtensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+        enabledExtensions.push_back(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
     }
+    info.enabledExtensionCount = static_cast<uint32_t>(enabledExtensions.size());
+    info.ppEnabledExtensionNames = enabledExtensions.data();
     const VkResult result = vkCreateInstance(&info, nullptr, instance_.put());
     if (result == VK_ERROR_LAYER_NOT_PRESENT)
         throw Error(

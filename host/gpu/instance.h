@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,9 @@ using ValidationListener = std::function<void(const char* message)>;
 // An instance; with a listener the validation layers (and synchronisation validation) are on.
 class Instance {
   public:
-    // Throws Error if there is no Vulkan loader or driver, or validation is wanted and not installed.
-    explicit Instance(ValidationListener listener = nullptr);
+    // `extensions`: what is enabled beside what validation needs; a window's surface. Throws Error if there is no
+    // Vulkan loader or driver, or validation is wanted and not installed.
+    explicit Instance(ValidationListener listener = nullptr, std::span<const char* const> extensions = {});
 
     VkInstance handle() const { return instance_.get(); }
     std::vector<VkPhysicalDevice> devices() const;

@@ -1,5 +1,6 @@
 #include "scene/animation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -84,6 +85,16 @@ std::vector<PlayedChannel> playedChannels(const Scene& scene, const std::vector<
         }
     }
     return played;
+}
+
+double endOf(const Scene& scene, const std::vector<uint32_t>& animations) {
+    double end = 0.0;
+    Warnings ignored;
+    for (const PlayedChannel& played : playedChannels(scene, animations, ignored)) {
+        const std::vector<double> times = keyTimes(scene, played.sampler.input);
+        if (!times.empty()) end = std::max(end, times.back());
+    }
+    return end;
 }
 
 void animate(const Scene& scene, const PoseTime& time, std::vector<NodeState>& states, Warnings& warnings) {

@@ -29,6 +29,9 @@ struct PlayedChannel {
 std::vector<PlayedChannel> playedChannels(const Scene& scene, const std::vector<uint32_t>& animations,
                                           Warnings& warnings);
 
+// Returns the time of the last key of these animations, in seconds; 0 without any. Throws Error as animate() does.
+double endOf(const Scene& scene, const std::vector<uint32_t>& animations);
+
 // Moves `states` to a time, by the channels that are played. Throws Error if times do not increase.
 void animate(const Scene& scene, const PoseTime& time, std::vector<NodeState>& states, Warnings& warnings);
 

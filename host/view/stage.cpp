@@ -1,0 +1,264 @@
+#include "view/stage.h"
+
+#include <algorithm>
+#include <new>
+
+#include "app/device_kit.h"
+#include "app/lighting.h"
+#include "app/options.h"
+#include "app/surfaces.h"
+#include "base/error.h"
+#include "base/stopwatch.h"
+#include "base/text.h"
+#include "facade/host_builders.h"
+#include "scene/animation.h"
+#include "scene/moving_nodes.h"
+
+namespace cleave {
+namespace {
+
+// Above, the exact builder would take a core for seconds.
+constexpr size_t kMostToCompare = 1'000'000;
+
+bool shows(View read, View wanted) { return read == wanted || read == View::path; }
+
+}  // namespace
+
+bool sameSettings(const BuildSettings& a, const BuildSettings& b) {
+    return a.costs.traverse == b.costs.traverse && a.costs.intersect == b.costs.intersect &&
+           a.costs.leaf == b.costs.leaf && a.costs.emptyBonus == b.costs.emptyBonus && a.stop == b.stop &&
+           a.bins == b.bins && a.exactUpTo == b.exactUpTo && a.maxDepth == b.maxDepth && a.axes == b.axes &&
+           a.leafSize == b.leafSize && a.clip == b.clip && a.subsample == b.subsample && a.snap == b.snap &&
+           a.otherAxes == b.otherAxes && a.smallNodes == b.smallNodes && a.memory == b.memory;
+}
+
+// What lives on the thread: the device, and the steps from a wish to what is staged.
+struct Stage::Workshop {
+    explicit Workshop(Stage& s) : stage(s), kit(s.device_) {}
+
+    Stage& stage;
+    DeviceKit kit;
+    std::shared_ptr<const StagedPose> uploadedOf;  // whose triangles are on the device
+    std::unique_ptr<DeviceTriangles> triangles;
+
+    std::shared_ptr<LoadedScene> load(const StageWish& wish) {
+        stage.setPhase("loading " + oneLine(wish.file.filename().string()));
+        auto loaded = std::make_shared<LoadedScene>();
+        const Stopwatch watch;
+        loaded->file = wish.file;
+        loaded->scene = loadGltf(wish.file);
+        loaded->loadMs = watch.milliseconds();
+        const Scene& scene = loaded->scene;
+        loaded->animations =
+            wish.animation == kAllAnimations ? allAnimations(scene) : chooseAnimation(scene, wish.animation);
+        loaded->movingNodes = movingNodes(scene, loaded->animations);
+        loaded->end = endOf(scene, loaded->animations);
+        return loaded;
+    }
+
+    std::shared_ptr<const StagedPose> poseScene(const LoadedScene& loaded, const std::optional<double>& time) {
+        stage.setPhase("posing");
+        auto made = std::make_shared<StagedPose>();
+        const Stopwatch watch;
+        PoseTime at;
+        if (time) at = {*time, loaded.animations};
+        made->posed = pose(loaded.scene, at, kMostTriangles, Detail::corners);
+        made->poseMs = watch.milliseconds();
+        made->set = makeTriangleSet(made->posed.triangles);
+        made->moved = posedSurfaces(made->posed);
+        made->lighting = lightingOf(loaded.scene, made->posed);
+        made->bounds = finiteBounds(made->posed.triangles);
+        made->movingTriangles = countMoving(made->posed, loaded.movingNodes);
+        return made;
+    }
+
+    void readSurfaces(Staged& next, const StageWish& wish) {
+        stage.setPhase("reading images");
+        uint64_t most = kit.device().largestAllocation();
+        if (wish.settings.memory != 0) most = std::min(most, wish.settings.memory);
+        const auto warn = [&](const std::string& warning) { next.warnings.push_back(warning); };
+        next.surfaces =
+            std::make_shared<SurfaceData>(surfacesOf(next.scene->scene, next.geometry->posed, wish.view, most, warn));
+        next.surfacesOf = wish.view;
+    }
+
+    void build(Staged& next, const StageWish& wish) {
+        stage.setPhase("building (" + nameOf(wish.builder) + ")");
+        next.builder = wish.builder;
+        next.settings = wish.settings;
+        next.passes.clear();
+        if (wish.builder == Builder::gpu) {
+            const GpuBuilder::Result result = kit.builder().build(onDevice(next.geometry), wish.settings);
+            next.tree = std::make_shared<KdTree>(readBack(*result.tree));
+            next.buildMs = result.ms;
+            next.peakBytes = result.peakBytes;
+        } else {
+            const Stopwatch watch;
+            BuildOutcome outcome = hostBuilder(wish.builder.name).build(next.geometry->set, wish.settings);
+            next.buildMs = watch.milliseconds();
+            next.tree = std::make_shared<KdTree>(std::move(outcome.tree));
+            next.peakBytes = outcome.peakBytes;
+        }
+        next.statistics = computeStatistics(*next.tree, wish.settings.costs);
+    }
+
+    const DeviceTriangles& onDevice(const std::shared_ptr<const StagedPose>& geometry) {
+        if (uploadedOf == geometry && triangles) return *triangles;
+        triangles.reset();
+        triangles = std::make_unique<DeviceTriangles>(kit.device(), geometry->posed.triangles);
+        uploadedOf = geometry;
+        return *triangles;
+    }
+
+    // Where its time goes, and how good the tree is: after it is shown, unless there is something else to do.
+    void lookClosely(const std::shared_ptr<const Staged>& shown) {
+        if (shown->time || stage.isAskedForMore()) return;
+        auto next = std::make_shared<Staged>(*shown);
+        if (shown->builder == Builder::gpu) {
+            stage.setPhase("timing the passes of the build");
+            next->passes = kit.builder().profile(onDevice(shown->geometry), shown->settings).passes;
+            stage.publish(next);
+        }
+        if (shown->geometry->set.included.size() > kMostToCompare || stage.isAskedForMore()) return;
+        next = std::make_shared<Staged>(*next);
+        next->exactCost = shown->statistics.sahCost;
+        if (!(shown->builder == Builder::exact)) {
+            stage.setPhase("building the exact tree, to compare with");
+            BuildSettings alone = shown->settings;
+            alone.threads = 1;  // the picture needs the others
+            const BuildOutcome exact = hostBuilder(Builder::exact.name).build(shown->geometry->set, alone);
+            next->exactCost = computeStatistics(exact.tree, alone.costs).sahCost;
+        }
+        stage.publish(next);
+    }
+
+    void fulfil(const StageWish& wish) {
+        const std::shared_ptr<const Staged> before = stage.latest();
+        auto next = before ? std::make_shared<Staged>(*before) : std::make_shared<Staged>();
+        const bool loads = !before || before->scene->file != wish.file;
+        const bool poses = loads || before->time != wish.time;
+        const bool builds =
+            poses || !(before->builder == wish.builder) || !sameSettings(before->settings, wish.settings);
+        const bool reads = loads || !shows(before->surfacesOf, wish.view);
+        if (!poses && !builds && !reads) return stage.publish(before, wish.number);
+        std::shared_ptr<LoadedScene> loaded;
+        if (loads) next->scene = loaded = load(wish);
+        next->time = wish.time;
+        if (poses) next->geometry = poseScene(*next->scene, wish.time);
+        if (loads) {
+            loaded->restBounds = wish.time ? finiteBounds(pose(loaded->scene).triangles) : next->geometry->bounds;
+            next->warnings = loaded->scene.warnings;
+            const auto& warnings = next->geometry->posed.warnings;
+            next->warnings.insert(next->warnings.end(), warnings.begin(), warnings.end());
+        }
+        if (reads) readSurfaces(*next, wish);
+        if (builds) {
+            next->exactCost.reset();
+            build(*next, wish);
+        }
+        stage.publish(next, wish.number);
+        if (builds) lookClosely(next);
+    }
+};
+
+Stage::Stage(std::string device, std::function<void()> wake)
+    : device_(std::move(device)), wake_(std::move(wake)), thread_([this] { run(); }) {}
+
+Stage::~Stage() {
+    {
+        const std::scoped_lock lock(mutex_);
+        ends_ = true;
+    }
+    asked_.notify_one();
+    thread_.join();
+}
+
+void Stage::ask(const StageWish& wish) {
+    {
+        const std::scoped_lock lock(mutex_);
+        wish_ = wish;
+        if (phase_.empty()) phase_ = "starting";
+    }
+    asked_.notify_one();
+}
+
+std::shared_ptr<const Staged> Stage::latest() const {
+    const std::scoped_lock lock(mutex_);
+    return latest_;
+}
+
+std::string Stage::phase() const {
+    const std::scoped_lock lock(mutex_);
+    return phase_;
+}
+
+std::optional<std::string> Stage::takeError() {
+    const std::scoped_lock lock(mutex_);
+    return std::exchange(error_, std::nullopt);
+}
+
+uint64_t Stage::handled() const {
+    const std::scoped_lock lock(mutex_);
+    return handled_;
+}
+
+uint64_t Stage::deviceBytes() const {
+    const std::scoped_lock lock(mutex_);
+    return deviceBytes_;
+}
+
+void Stage::setPhase(const std::string& phase) {
+    {
+        const std::scoped_lock lock(mutex_);
+        phase_ = phase;
+    }
+    wake_();
+}
+
+void Stage::publish(std::shared_ptr<const Staged> staged, uint64_t handled) {
+    {
+        const std::scoped_lock lock(mutex_);
+        latest_ = std::move(staged);
+        handled_ = std::max(handled_, handled);
+    }
+    wake_();
+}
+
+bool Stage::isAskedForMore() const {
+    const std::scoped_lock lock(mutex_);
+    return wish_.has_value() || ends_;
+}
+
+// A device that was lost, or is out of memory, is opened anew with the next wish.
+void Stage::run() {
+    std::unique_ptr<Workshop> workshop;
+    for (;;) {
+        std::optional<StageWish> wish;
+        {
+            std::unique_lock lock(mutex_);
+            asked_.wait(lock, [&] { return wish_.has_value() || ends_; });
+            if (ends_) break;
+            wish.swap(wish_);
+        }
+        std::optional<std::string> error;
+        try {
+            if (!workshop) workshop = std::make_unique<Workshop>(*this);
+            workshop->fulfil(*wish);
+        } catch (const std::bad_alloc&) {
+            error = "out of memory, on this machine, for " + oneLine(wish->file.filename().string());
+        } catch (const std::exception& thrown) {
+            error = thrown.what();
+        }
+        if (error) workshop.reset();
+        {
+            const std::scoped_lock lock(mutex_);
+            if (error) error_ = error;
+            handled_ = std::max(handled_, wish->number);
+            if (!wish_) phase_.clear();
+            deviceBytes_ = workshop && workshop->kit.isOpen() ? workshop->kit.device().memoryInUse() : 0;
+        }
+        wake_();
+    }
+}
+
+}  // namespace cleave
