@@ -9,6 +9,7 @@
 #include "app/device_kit.h"
 #include "base/error.h"
 #include "base/stopwatch.h"
+#include "figures/legend.h"
 #include "judge/oracle.h"
 
 namespace cleave {
@@ -37,14 +38,18 @@ std::vector<uint32_t> stretched(const Painted& from, uint32_t width, uint32_t he
     return pixels;
 }
 
-// A colour for a triangle by its number, from the steps of the golden ratio, so that neighbours differ; bluish.
-uint32_t colourOf(uint32_t prim) {
+// How a triangle looks in a comparison: bluish, brighter where it faces the eye, and a little else than its neighbours.
+// Nothing there is dark.
+uint32_t colourOf(std::span<const Triangle> triangles, uint32_t prim, const Ray& ray) {
     if (prim == kNone) return 0xFF181818u;
-    const double turn = std::fmod(prim * 0.6180339887498949, 1.0);
-    const auto part = [&](double phase) {
-        return static_cast<uint32_t>(128.0 + 80.0 * std::sin(6.283185307179586 * (turn + phase)));
-    };
-    return 0xFF000000u | (part(0.0) / 3) | part(0.3) << 8 | part(0.55) << 16;
+    const Triangle& t = triangles[prim];
+    const glm::dvec3 normal = glm::cross(glm::dvec3(t.b) - glm::dvec3(t.a), glm::dvec3(t.c) - glm::dvec3(t.a));
+    const double length = glm::length(normal);
+    const double facing =
+        length > 0.0 ? std::abs(glm::dot(normal / length, glm::normalize(glm::dvec3(ray.direction)))) : 0.5;
+    const double own = 0.06 * std::fmod(prim * 0.6180339887498949, 1.0);  // far from that of the next numbers
+    const auto part = [&](double most) { return static_cast<uint32_t>(most * (0.30 + 0.60 * facing + own)); };
+    return 0xFF000000u | part(190.0) | part(220.0) << 8 | part(255.0) << 16;
 }
 constexpr uint32_t kRed = 0xFF2020FFu;
 
@@ -171,9 +176,12 @@ struct Painter::Easel {
             const bool isDone = renderer->samplesTaken() == request.samples;
             if (!wish.moves && !isDone && painter.isAskedForMore()) return false;
             if (isDone || (whole && (renderer->samplesTaken() == 1 || now - shownAt > kShowMs))) {
-                auto painted = begun(wish, renderer->show());
+                Picture picture = renderer->show();
+                if (countsSteps(wish.view) && !wish.moves) drawLegend(picture);
+                auto painted = begun(wish, picture);
                 painted->of = request.samples;
                 painted->isDone = isDone && !wish.moves;
+                painted->moves = wish.moves;
                 show(painted, watch);
                 shownAt = painting.milliseconds();
             } else if (!whole && renderer->samplesTaken() == 0 && !wish.moves && now - shownAt > kShowMs) {
@@ -200,8 +208,7 @@ struct Painter::Easel {
         painter.publish(painted);
     }
 
-    // Left ours, right the reference's answer to the same rays, each triangle in a colour of its own; red where they
-    // differ.
+    // Left ours, right the reference's answer to the same rays; red where they differ.
     bool compare(const PaintWish& wish, const Stopwatch& watch) {
         if (!reference || referenceOf != wish.staged->geometry) {
             reference.reset();
@@ -227,6 +234,7 @@ struct Painter::Easel {
         painted->pixels.assign(size_t{2} * width * height, 0xFF404040u);
         painted->of = 1;
         Comparison told;
+        const std::vector<Triangle>& world = wish.staged->geometry->posed.triangles;
         double shownAt = 0.0;
         for (uint32_t y = 0; y < height; ++y) {
             for (uint32_t x = 0; x < width; ++x) {
@@ -237,9 +245,10 @@ struct Painter::Easel {
                 told.mismatches += differs ? 1 : 0;
                 told.undecided += j.verdict == Reference::Verdict::undecided ? 1 : 0;
                 const size_t at = size_t{y} * 2 * width + x;
-                painted->pixels[at] = differs ? kRed : colourOf(hits[i].prim);
+                painted->pixels[at] = differs ? kRed : colourOf(world, hits[i].prim, rays[i]);
                 const bool asOurs = j.fault == Reference::Fault::none;
-                painted->pixels[at + width] = differs ? kRed : colourOf(asOurs ? hits[i].prim : j.referencePrim);
+                painted->pixels[at + width] =
+                    differs ? kRed : colourOf(world, asOurs ? hits[i].prim : j.referencePrim, rays[i]);
             }
             if (painter.isAskedForMore()) return false;
             if (y + 1 < height && watch.milliseconds() - shownAt < kShowMs) continue;
@@ -356,6 +365,7 @@ void Painter::run() {
         {
             const std::scoped_lock lock(mutex_);
             if (error) error_ = error;
+            if (error && pick) picked_ = Picked{pick->first, {}, false};
             deviceBytes_ = easel && easel->kit.isOpen() ? easel->kit.device().memoryInUse() : 0;
         }
         wake_();

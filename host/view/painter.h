@@ -48,6 +48,7 @@ struct Painted {
     std::vector<uint32_t> pixels;
     uint32_t samples = 0, of = 0;  // 0 samples: some rows are of the picture before
     bool isDone = false;
+    bool moves = false;           // as the wish
     double ms = 0.0;              // from the wish to here
     double mraysPerSecond = 0.0;  // of the primary rays
     float scaleLow = 0.0f, scaleHigh = 0.0f;

@@ -121,10 +121,10 @@ void traceRows(const Painted& painted) {
         row("differ", grouped(c.mismatches) + ", undecided " + grouped(c.undecided));
         return;
     }
-    row("primary rays", fixed(painted.mraysPerSecond, 2) + " M/s");
+    if (painted.mraysPerSecond > 0.0) row("primary rays", fixed(painted.mraysPerSecond, 2) + " M/s");
     if (painted.work)
-        row("a ray visits", fixed(painted.work->inner, 1) + " nodes, " + fixed(painted.work->leaves, 1) + " leaves, " +
-                                fixed(painted.work->triangles, 1) + " triangles");
+        row("a ray visits", fixed(painted.work->inner, 0) + " nodes, " + fixed(painted.work->leaves, 0) + " leaves");
+    if (painted.work) row("and tests", fixed(painted.work->triangles, 1) + " triangles");
     if (painted.of > 1)
         ImGui::ProgressBar(
             static_cast<float>(painted.samples) / static_cast<float>(painted.of), ImVec2(-1.0f, 0.0f),
@@ -197,10 +197,10 @@ void animationControls(Controls& controls, const Staged& staged) {
 void frameRows(const Facts& facts) {
     const std::vector<float> times(facts.frameMs.begin(), facts.frameMs.end());
     if (!times.empty())
-        ImGui::PlotLines("##frames", times.data(), static_cast<int>(times.size()), 0, nullptr, 0.0f,
-                         std::max(60.0f, *std::ranges::max_element(times)), ImVec2(-1.0f, 48.0f));
-    row("pictures",
-        fixed(facts.framesPerSecond, 1) + " a second, " + fixed(times.empty() ? 0.0 : double{times.back()}, 1) + " ms");
+        ImGui::PlotLines("##frames", times.data(), static_cast<int>(times.size()), 0, nullptr, 0.0f, 100.0f,
+                         ImVec2(-1.0f, 48.0f));
+    if (!times.empty())
+        row("in motion", fixed(facts.framesPerSecond, 1) + " a second, " + fixed(double{times.back()}, 1) + " ms");
     row("device memory", bytesText(facts.deviceBytes));
     row("device", facts.device);
 }
@@ -239,11 +239,12 @@ void drawKeys() {
     ImGui::End();
 }
 
-// At the lower left: what goes on beside the picture.
+// At the lower right: what goes on beside the picture.
 void drawNote(const Facts& facts) {
     const std::string text = !facts.phase.empty() ? facts.phase + " ..." : facts.note;
     if (text.empty()) return;
-    ImGui::SetNextWindowPos(ImVec2(12.0f, ImGui::GetIO().DisplaySize.y - 12.0f), ImGuiCond_Always, ImVec2(0.0f, 1.0f));
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(size.x - 12.0f, size.y - 12.0f), ImGuiCond_Always, ImVec2(1.0f, 1.0f));
     ImGui::Begin("note", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);

@@ -27,6 +27,7 @@ void ScriptPlayer::fail(const ScriptStep& step, const std::string& why) const {
 }
 
 void ScriptPlayer::play(Viewing& viewing, Window& window) {
+    bool changed = false;
     while (!ended_ && framesLeft_ == 0 && gesture_.empty() && !screenshot_) {
         if (next_ == steps_.size()) {
             ended_ = true;
@@ -34,9 +35,12 @@ void ScriptPlayer::play(Viewing& viewing, Window& window) {
             return;
         }
         const ScriptStep& step = steps_[next_];
-        if (waits(step, viewing, window)) return;
+        // What steps have changed is looked at, and asked for, after this.
+        const bool isOfState = step.verb == Verb::waitIdle || step.verb == Verb::expectError;
+        if ((changed && isOfState) || waits(step, viewing, window)) return;
         ++next_;
         perform(step, viewing, window);
+        changed = true;
     }
     if (gesture_.empty()) return;
     viewing.handle(gesture_.front());
@@ -149,10 +153,8 @@ void ScriptPlayer::perform(const ScriptStep& step, Viewing& viewing, Window&) {
             drag(step);
             break;
         case Verb::doubleClick:
-            for (int i = 0; i < 2; ++i) {
-                gesture_.emplace_back(ButtonEvent{0, true, glm::dvec2(point)});
-                gesture_.emplace_back(ButtonEvent{0, false, glm::dvec2(point)});
-            }
+            for (const bool isDown : {true, false, true, false})
+                viewing.handle(ButtonEvent{0, isDown, glm::dvec2(point)});
             break;
         case Verb::hover:
             gesture_.emplace_back(CursorEvent{glm::dvec2(point)});

@@ -12,7 +12,7 @@
 #include <fstream>
 
 #include "app/device_kit.h"
-#include "app/program.h"
+#include "app/run_request.h"
 #include "app/session.h"
 #include "base/stopwatch.h"
 #include "figures/json.h"
@@ -36,13 +36,14 @@ class WindowFigures {
     void asked(uint64_t wish, bool moves) {
         if (wish == lastAsked_) return;
         lastAsked_ = wish;
-        if (moves) asked_.push_back({wish, frames_});
+        if (moves) asked_.push_back({wish, pictures_, Stopwatch()});
     }
+    // A wish that another one took the place of is answered by the picture of that one.
     void shown(const Painted& painted, bool moves) {
-        while (!asked_.empty() && asked_.front().wish <= painted.number) {
-            if (asked_.front().wish == painted.number)
-                latencies_.push_back(static_cast<double>(frames_ + 1 - asked_.front().frame));
-            asked_.pop_front();
+        ++pictures_;
+        for (; !asked_.empty() && asked_.front().wish <= painted.number; asked_.pop_front()) {
+            pictureCounts_.push_back(static_cast<double>(pictures_ - asked_.front().pictures));
+            waits_.push_back(asked_.front().since.milliseconds());
         }
         if (moves) {
             width_ = painted.width;
@@ -62,33 +63,34 @@ class WindowFigures {
         return movingSeconds_ > 0.0 ? static_cast<double>(movingPictures_) / movingSeconds_ : 0.0;
     }
     Json json() const {
-        std::vector<double> sorted = latencies_;
-        std::ranges::sort(sorted);
-        Json latency = nullptr;
-        if (!sorted.empty())
-            latency = {{"median", sorted[sorted.size() / 2]},
-                       {"p99", sorted[sorted.size() * 99 / 100]},
-                       {"most", sorted.back()}};
         return {{"frames", frames_},
                 {"seconds", numberJson(total_.milliseconds() / 1000.0)},
                 {"movingPictures", movingPictures_},
                 {"movingPicturesPerSecond", numberJson(movingPerSecond())},
                 {"movingSize", {width_, height_}},
-                {"framesFromInputToPicture", latency},
+                {"picturesFromInputToItsOwn", spreadOf(pictureCounts_)},
+                {"msFromInputToPicture", spreadOf(waits_)},
                 {"longestBusyMs", numberJson(longestMs_)}};
     }
 
   private:
     struct Asked {
-        uint64_t wish, frame;
+        uint64_t wish, pictures;
+        Stopwatch since;
     };
+    static Json spreadOf(std::vector<double> values) {
+        if (values.empty()) return nullptr;
+        std::ranges::sort(values);
+        return {
+            {"median", values[values.size() / 2]}, {"p99", values[values.size() * 99 / 100]}, {"most", values.back()}};
+    }
     Stopwatch total_, sinceMove_;
-    uint64_t frames_ = 0, lastAsked_ = 0, movingPictures_ = 0;
+    uint64_t frames_ = 0, pictures_ = 0, lastAsked_ = 0, movingPictures_ = 0;
     uint32_t width_ = 0, height_ = 0;
     double movingSeconds_ = 0.0, longestMs_ = 0.0;
     bool movedBefore_ = false;
     std::deque<Asked> asked_;
-    std::vector<double> latencies_;
+    std::vector<double> pictureCounts_, waits_;
 };
 
 // Dear ImGui, with the window's part of it.

@@ -63,7 +63,8 @@ bool Viewing::moves() const { return controls.plays || !keys_.empty() || clock_.
 
 bool Viewing::isIdle() const {
     const std::shared_ptr<const Painted>& shown = facts_.painted;
-    return !moves() && isStaged() && shown && !fresh_ && shown->number == paintAsked_.number && shown->isDone;
+    return !moves() && isStaged() && picked_ == picks_ && shown && !fresh_ && shown->number == paintAsked_.number &&
+           shown->isDone;
 }
 
 std::shared_ptr<const Painted> Viewing::takePicture() { return std::exchange(fresh_, nullptr); }
@@ -256,6 +257,7 @@ void Viewing::update(glm::uvec2 size) {
 }
 
 void Viewing::takeStaged() {
+    handled_ = stage_.handled();  // first: what is there then is of this wish, or of a later one
     if (const std::optional<std::string> error = stage_.takeError()) {
         const std::shared_ptr<const Staged> there = stage_.latest();
         if (!there) throw Error(*error);
@@ -290,13 +292,14 @@ void Viewing::takePainted() {
     }
     if (std::shared_ptr<const Painted> painted = painter_.take()) {
         const bool isOther = !facts_.painted || facts_.painted->number != painted->number;
-        if (isOther && painted->ms > 0.0) {
+        if (isOther && painted->moves) {
             facts_.frameMs.push_back(static_cast<float>(painted->ms));
             if (facts_.frameMs.size() > 120) facts_.frameMs.pop_front();
         }
         facts_.painted = fresh_ = std::move(painted);
     }
     if (const std::optional<Picked> picked = painter_.takePicked(); picked && picked->number == picks_) {
+        picked_ = picks_;
         if (picked->hits)
             navigation_.lookAtPoint(picked->point);
         else

@@ -37,7 +37,7 @@ class Viewing {
     bool moves() const;
     // The number of what was asked of the painter last.
     uint64_t wished() const { return paintAsked_.number; }
-    bool isStaged() const { return stage_.handled() == stageAsked_.number; }
+    bool isStaged() const { return handled_ == stageAsked_.number; }
 
     // Throws NotFound if there is no such camera.
     void chooseCamera(const std::string& nameOrIndex);
@@ -68,8 +68,9 @@ class Viewing {
     std::string copied_;
 
     StageWish stageAsked_;
+    uint64_t handled_ = 0;  // of the stage's wishes, when it was looked at
     PaintWish paintAsked_;
-    uint64_t picks_ = 0;
+    uint64_t picks_ = 0, picked_ = 0;  // asked for, answered
     std::shared_ptr<const Painted> fresh_;
 
     // Last, so that its threads end first.

@@ -84,10 +84,11 @@ inline std::string quoted(const std::string& word) {
     return text + "'";
 }
 
-// Runs the built program in a folder of its own and gives what it said.
-inline Outcome runCleave(const std::vector<std::string>& arguments, const std::string& before = "") {
+// Runs a program in a folder of its own and gives what it said.
+inline Outcome runProgramAt(const std::string& program, const std::vector<std::string>& arguments,
+                            const std::string& before) {
     const TemporaryFolder folder;
-    std::string line = before + " " + quoted(CLEAVE_PROGRAM);
+    std::string line = before + " " + quoted(program);
     for (const std::string& argument : arguments) line += " " + quoted(argument);
     line += " >" + quoted(folder / "out") + " 2>" + quoted(folder / "err") + " </dev/null";
     const int status = std::system(line.c_str());
@@ -96,6 +97,10 @@ inline Outcome runCleave(const std::vector<std::string>& arguments, const std::s
     outcome.out = contentOf(folder / "out");
     outcome.err = contentOf(folder / "err");
     return outcome;
+}
+
+inline Outcome runCleave(const std::vector<std::string>& arguments, const std::string& before = "") {
+    return runProgramAt(CLEAVE_PROGRAM, arguments, before);
 }
 
 }  // namespace cleave::test

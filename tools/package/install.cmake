@@ -62,5 +62,8 @@ install(FILES ${PROJECT_BINARY_DIR}/package/cleave.pc DESTINATION ${CMAKE_INSTAL
 
 if(CLEAVE_PROGRAM)
   install(TARGETS cleave)
+  if(CLEAVE_VIEWER)
+    install(TARGETS cleave-view)
+  endif()
   install(FILES scenes/default.glb DESTINATION ${CMAKE_INSTALL_DATADIR}/cleave/scenes)
 endif()
