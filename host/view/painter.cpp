@@ -11,6 +11,7 @@
 #include "base/stopwatch.h"
 #include "figures/legend.h"
 #include "judge/oracle.h"
+#include "view/give_way.h"
 
 namespace cleave {
 namespace {
@@ -333,6 +334,7 @@ void Painter::publish(std::shared_ptr<const Painted> painted) {
 
 // A device that was lost, or is out of memory, is opened anew with the next wish.
 void Painter::run() {
+    giveWay(5);
     std::unique_ptr<Easel> easel;
     std::optional<PaintWish> unfinished;
     for (;;) {

@@ -13,6 +13,7 @@
 #include "facade/host_builders.h"
 #include "scene/animation.h"
 #include "scene/moving_nodes.h"
+#include "view/give_way.h"
 
 namespace cleave {
 namespace {
@@ -231,6 +232,7 @@ bool Stage::isAskedForMore() const {
 
 // A device that was lost, or is out of memory, is opened anew with the next wish.
 void Stage::run() {
+    giveWay(10);
     std::unique_ptr<Workshop> workshop;
     for (;;) {
         std::optional<StageWish> wish;

@@ -139,8 +139,9 @@ class Viewer {
                 std::printf("%s\n", copied.c_str());
             }
             takePicture();
+            const bool captures = script_ && script_->screenshot();  // which takes the time to write it
             if (isWorthAFrame(!events.empty())) draw();
-            figures_.busy(busy.milliseconds());
+            if (!captures) figures_.busy(busy.milliseconds());
         }
         tell();
     }
