@@ -59,7 +59,7 @@ class PictureRecording {
           info_(info),
           scratch_(scratch),
           sample_(sample),
-          counts_(pictureCounts(info.camera.width, info.camera.height, static_cast<uint32_t>(info.view))),
+          counts_(pictureCounts(info.camera.width, info.camera.height, static_cast<uint32_t>(info.view), info.samples)),
           at_(pictureLayout(counts_, info.largestRange)) {}
 
     void arguments() {
@@ -73,7 +73,7 @@ class PictureRecording {
 
     void primaryHits(bool resumes) {
         if (bounce_ == 0) zero(offsetof(PictureState, primary), sizeof(TraceCounters));
-        TraceInfo trace = traced(at_.rays, at_.hits, at_.trails, info_.primaryMode(), resumes);
+        TraceInfo trace = traced(at_.rays, at_.hits, at_.trails, counts_.pixels, info_.primaryMode(), resumes);
         trace.counters = address(at_.state) + offsetof(PictureState, primary);
         if (counts_.counted > 0) trace.steps = address(at_.steps);
         hits(bounce_ == 0 ? PictureRays::primary : PictureRays::bounce, tracing_.primary, trace);
@@ -96,7 +96,8 @@ class PictureRecording {
     void shadowHits(bool resumes) {
         if (counts_.shadowed == 0) return;
         if (info_.view != View::path) zero(offsetof(PictureState, shadow), sizeof(TraceCounters));
-        TraceInfo trace = traced(at_.shadowRays, at_.shadowHits, at_.shadowTrails, info_.shadowMode(), resumes);
+        TraceInfo trace =
+            traced(at_.shadowRays, at_.shadowHits, at_.shadowTrails, counts_.shadowed, info_.shadowMode(), resumes);
         trace.counters = address(at_.state) + offsetof(PictureState, shadow);
         hits(PictureRays::shadow, tracing_.shadow, trace);
         note("trace shadows");
@@ -132,7 +133,6 @@ class PictureRecording {
     PictureCounts counts_;
     PictureLayout at_;
 
-    uint32_t rayCount() const { return static_cast<uint32_t>(counts_.pixels); }
     VkDeviceAddress address(const Place& p) const { return addressOf(p, scratch_); }
     PicturePush push(uint32_t round) const { return {address(at_.args), round, sample_}; }
     void pass(PictureKernels::Pass kernel, uint32_t round, uint32_t groups) {
@@ -140,7 +140,9 @@ class PictureRecording {
         recorder_.dispatch(made, push(round), groups);
         note(made.name().data());
     }
-    void perRay(PictureKernels::Pass kernel, uint32_t round = 0) { pass(kernel, round, ceilDiv(rayCount(), kGroup)); }
+    void perRay(PictureKernels::Pass kernel, uint32_t round = 0) {
+        pass(kernel, round, ceilDiv(info_.camera.width * info_.camera.height, kGroup));
+    }
     void note(const char* pass) const {
         if (info_.onPass) info_.onPass(info_.user, pass);
     }
@@ -156,14 +158,14 @@ class PictureRecording {
         recorder_.barrier();
         cmdTrace(recorder_.commands(), *context, trace);
     }
-    TraceInfo traced(const Place& rays, const Place& hits, const Place& trails, const TraceMode& mode,
+    TraceInfo traced(const Place& rays, const Place& hits, const Place& trails, uint64_t count, const TraceMode& mode,
                      bool resumes) const {
         TraceInfo trace;
         trace.tree = info_.tree;
         trace.rays = address(rays);
         trace.hits = address(hits);
         trace.trails = address(trails);
-        trace.count = rayCount();
+        trace.count = static_cast<uint32_t>(count);
         trace.mode = mode;
         trace.stepLimit = info_.stepLimit;
         trace.resumes = resumes;
@@ -193,6 +195,7 @@ PictureArgs pictureArgs(const PictureInfo& info, const PictureLayout& at, const 
     a.samples = info.samples;
     a.exposure = info.exposure;
     a.settings = info.settings;
+    a.ambientReach = info.ambientReach;
     return a;
 }
 

@@ -92,8 +92,9 @@ struct Renderer::State {
     void reserve(const PictureInfo& info) {
         camera = info.camera;
         ofLight = isOfLight(static_cast<uint32_t>(info.view));
-        at = pictureLayout(pictureCounts(info.camera.width, info.camera.height, static_cast<uint32_t>(info.view)),
-                           info.largestRange);
+        at = pictureLayout(
+            pictureCounts(info.camera.width, info.camera.height, static_cast<uint32_t>(info.view), info.samples),
+            info.largestRange);
         if (!at.ranges.fits())
             throw Error("a picture of " + std::to_string(info.camera.width) + " x " +
                         std::to_string(info.camera.height) + " is too large for this device; make a smaller one");
@@ -180,6 +181,7 @@ Picture Renderer::render(const DeviceTree& tree, const DeviceTriangles& triangle
     info.samples = request.samples;
     info.exposure = request.exposure;
     info.settings.seed = mixedSeed(request.seed);
+    info.ambientReach = request.ambientReach;
     if (request.view == View::path) s.lightPaths(info, request);
     info.traversal = request.traversal;
     info.test = request.test;
