@@ -285,7 +285,8 @@ void addRender(CLI::App& app, Options& options) {
     addNamed(app, "--view", "what is shown", options.view, kViews);
     const auto samples = [](const std::string& given) { return parseWhole(given, 1, 1u << 24); };
     addParsed<uint64_t>(
-        app, "--spp", "N", "samples per pixel of shaded, normals (1) and path (64)", samples,
+        app, "--spp", "N",
+        "samples per pixel of shaded (1; several: soft shadows, dark corners), normals (1), path (64)", samples,
         [&options](uint64_t n) { options.samples = static_cast<uint32_t>(n); }, "a whole number from 1 to 16777216");
     addWhole(app, "--bounces", "path: surfaces that light may be reflected by (8)", options.bounces, 0, 4096);
     const auto stops = [](const std::string& given) {
