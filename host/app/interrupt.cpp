@@ -1,7 +1,5 @@
 #include "app/interrupt.h"
 
-#include <signal.h>
-
 #include <array>
 
 namespace cleave {
@@ -9,29 +7,19 @@ namespace {
 
 constexpr std::array kSignals{SIGINT, SIGTERM};
 
-volatile sig_atomic_t noted = 0;
-std::array<struct sigaction, kSignals.size()> before;
+volatile std::sig_atomic_t noted = 0;
 
 void note(int) { noted = 1; }
 
+// What was noted before is forgotten before the handlers are there, so that no signal is lost.
+void (*notingAnew())(int) {
+    noted = 0;
+    return note;
+}
+
 }  // namespace
 
-Interrupt::Interrupt() {
-    noted = 0;
-    struct sigaction action {};
-    action.sa_handler = note;
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
-    sigemptyset(&action.sa_mask);
-    for (size_t i = 0; i < kSignals.size(); ++i) {
-        sigaction(kSignals[i], nullptr, &before[i]);
-        // A signal that is ignored (nohup) stays ignored.
-        if (before[i].sa_handler != SIG_IGN) sigaction(kSignals[i], &action, nullptr);
-    }
-}
-
-Interrupt::~Interrupt() {
-    for (size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &before[i], nullptr);
-}
+Interrupt::Interrupt() : handlers_(kSignals, notingAnew(), static_cast<int>(SA_RESETHAND)) {}
 
 bool Interrupt::happened() const { return noted != 0; }
 

@@ -1,6 +1,8 @@
 // Ctrl-C as a wish: long work ends at the next chance and keeps what it has.
 #pragma once
 
+#include "base/signal_handlers.h"
+
 namespace cleave {
 
 // During its lifetime SIGINT and SIGTERM are noted instead of ending the program; a second one does end it. One at a
@@ -8,11 +10,10 @@ namespace cleave {
 class Interrupt {
   public:
     Interrupt();
-    ~Interrupt();
-    Interrupt(const Interrupt&) = delete;
-    Interrupt& operator=(const Interrupt&) = delete;
-
     bool happened() const;
+
+  private:
+    SignalHandlers handlers_;
 };
 
 }  // namespace cleave

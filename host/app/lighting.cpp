@@ -8,12 +8,12 @@
 namespace cleave {
 namespace {
 
-// Half of what the sun's disc measures in the sky, as its sine; about twice the real one, so that shadows are seen to
-// be soft.
-constexpr float kSineOfSun = 0.01f;
 // Irradiance across the sun's direction, and radiance of the sky: a white surface in full light is near 1.
 constexpr vec3 kSun{3.6f, 3.25f, 2.7f};
 constexpr Sky kDaySky{{0.42f, 0.48f, 0.55f}, {0.14f, 0.26f, 0.48f}};
+
+// A share of the scene's diagonal: without an end, what is in a closed room would be black.
+constexpr double kAmbientShare = 0.05;
 
 LightSource sourceOf(const gltf::Light& light, const PlacedLight& placed) {
     LightSource source{};
@@ -89,6 +89,10 @@ Lighting lightingOf(const Scene& scene, const PosedScene& posed) {
     }
     addEmitters(lighting, scene, posed);
     return lighting;
+}
+
+float ambientReachOf(const Box& bounds) {
+    return static_cast<float>(kAmbientShare * glm::length(dvec3(bounds.hi) - dvec3(bounds.lo)));
 }
 
 }  // namespace cleave

@@ -14,4 +14,7 @@ float lampBrightness(const gltf::Material& material);
 // the sky. Intensities are taken as they are: candelas and lux count as radiometric units.
 Lighting lightingOf(const Scene& scene, const PosedScene& posed);
 
+// How far from a surface of the view `shaded` what is near takes light from all around it, in a scene of these bounds.
+float ambientReachOf(const Box& bounds);
+
 }  // namespace cleave

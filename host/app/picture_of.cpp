@@ -29,6 +29,7 @@ PictureRequest requestOf(Run& run, Session& session) {
     request.samples = samplesOf(options);
     request.bounces = options.bounces;
     request.exposure = options.exposure;
+    request.ambientReach = ambientReachOf(session.restBounds());
     if (options.view == View::path) request.lighting = lightingOf(session.scene(), session.posed());
     request.traversal = run.traversal();
     request.test = options.triangleTests.front();

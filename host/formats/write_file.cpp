@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "base/error.h"
+#include "base/signal_handlers.h"
 
 namespace cleave {
 namespace {
@@ -24,35 +25,12 @@ constexpr std::array kEndingSignals = {SIGINT, SIGTERM, SIGHUP};
 // Name of the unfinished file, reachable from a signal handler. Files are written by one thread at a time.
 char unfinishedFile[PATH_MAX];
 
+// A signal that ends the program removes the unfinished file first.
 void removeUnfinishedAndEnd(int signal) {
     unlink(unfinishedFile);
     std::signal(signal, SIG_DFL);
     raise(signal);
 }
-
-// During its lifetime, a signal that ends the program removes the unfinished file first.
-class SignalGuard {
-  public:
-    explicit SignalGuard(const std::string& file) {
-        std::memcpy(unfinishedFile, file.c_str(), file.size() + 1);
-        struct sigaction action {};
-        action.sa_handler = removeUnfinishedAndEnd;
-        sigemptyset(&action.sa_mask);
-        for (size_t i = 0; i < kEndingSignals.size(); ++i) {
-            sigaction(kEndingSignals[i], nullptr, &before_[i]);
-            // A signal that is ignored (nohup) stays ignored.
-            if (before_[i].sa_handler != SIG_IGN) sigaction(kEndingSignals[i], &action, nullptr);
-        }
-    }
-    ~SignalGuard() {
-        for (size_t i = 0; i < kEndingSignals.size(); ++i) sigaction(kEndingSignals[i], &before_[i], nullptr);
-    }
-    SignalGuard(const SignalGuard&) = delete;
-    SignalGuard& operator=(const SignalGuard&) = delete;
-
-  private:
-    std::array<struct sigaction, kEndingSignals.size()> before_{};
-};
 
 [[noreturn]] void failToWrite(const fs::path& file, int error) {
     throw Error("cannot write " + file.string() + ": " + std::generic_category().message(error) +
@@ -121,7 +99,8 @@ void writeFile(const fs::path& file, std::span<const std::byte> bytes) {
     const std::string unfinished =
         (folderOf(target) / ("." + target.filename().string() + "." + std::to_string(getpid()) + ".tmp")).string();
     if (unfinished.size() >= PATH_MAX) failToWrite(file, ENAMETOOLONG);
-    const SignalGuard guard(unfinished);
+    std::memcpy(unfinishedFile, unfinished.c_str(), unfinished.size() + 1);
+    const SignalHandlers handlers(kEndingSignals, removeUnfinishedAndEnd);
     ::unlink(unfinished.c_str());  // left by a program of the same number that was killed
     const int descriptor = ::open(unfinished.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     int error = writeOpened(descriptor, bytes);

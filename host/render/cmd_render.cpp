@@ -60,7 +60,7 @@ class PictureRecording {
           scratch_(scratch),
           sample_(sample),
           slice_(slice),
-          counts_(pictureCounts(info.camera.width, info.camera.height, static_cast<uint32_t>(info.view))),
+          counts_(pictureCounts(info.camera.width, info.camera.height, static_cast<uint32_t>(info.view), info.samples)),
           at_(pictureLayout(counts_, info.largestRange)) {}
 
     void arguments() {
@@ -74,10 +74,10 @@ class PictureRecording {
 
     void primaryHits(bool resumes) {
         if (bounce_ == 0) zero(offsetof(PictureState, primary), sizeof(TraceCounters));
-        TraceInfo trace = traced(at_.rays, at_.hits, at_.trails, info_.primaryMode(), resumes);
+        TraceInfo trace = traced(at_.rays, at_.hits, at_.trails, slice_.first, info_.primaryMode(), resumes);
         trace.counters = address(at_.state) + offsetof(PictureState, primary);
-        if (counts_.counted > 0) trace.steps = sliceOf<StepCount>(at_.steps);
-        hits(bounce_ == 0 ? PictureRays::primary : PictureRays::bounce, tracing_.primary, trace);
+        if (counts_.counted > 0) trace.steps = from<StepCount>(at_.steps, slice_.first);
+        hits(bounce_ == 0 ? PictureRays::primary : PictureRays::bounce, tracing_.primary, trace, slice_.first);
         note(bounce_ == 0 ? "trace" : "trace bounces");
     }
 
@@ -97,9 +97,14 @@ class PictureRecording {
     void shadowHits(bool resumes) {
         if (counts_.shadowed == 0) return;
         if (info_.view != View::path) zero(offsetof(PictureState, shadow), sizeof(TraceCounters));
-        TraceInfo trace = traced(at_.shadowRays, at_.shadowHits, at_.shadowTrails, info_.shadowMode(), resumes);
-        trace.counters = address(at_.state) + offsetof(PictureState, shadow);
-        hits(PictureRays::shadow, tracing_.shadow, trace);
+        // Where a pixel has two, the second ones come after the first ones of all.
+        for (uint64_t before = 0; before < counts_.shadowed; before += counts_.pixels) {
+            const auto first = static_cast<uint32_t>(before + slice_.first);
+            TraceInfo trace =
+                traced(at_.shadowRays, at_.shadowHits, at_.shadowTrails, first, info_.shadowMode(), resumes);
+            trace.counters = address(at_.state) + offsetof(PictureState, shadow);
+            hits(PictureRays::shadow, tracing_.shadow, trace, first);
+        }
         note("trace shadows");
     }
 
@@ -135,10 +140,10 @@ class PictureRecording {
     PictureLayout at_;
 
     VkDeviceAddress address(const Place& p) const { return addressOf(p, scratch_); }
-    // Of an array with an element per ray, where it has those of the slice.
+    // Of an array's elements from `first` on.
     template <class T>
-    VkDeviceAddress sliceOf(const Place& p) const {
-        return address(p) + slice_.first * sizeof(T);
+    VkDeviceAddress from(const Place& p, uint32_t first) const {
+        return address(p) + first * sizeof(T);
     }
     PicturePush push(uint32_t round) const {
         return {address(at_.args), round, sample_, slice_.first, slice_.first + slice_.count};
@@ -155,22 +160,23 @@ class PictureRecording {
     void zero(size_t offset, size_t bytes) {
         recorder_.fillZero(scratch_[0].buffer, scratch_[0].offset + at_.state.offset + offset, bytes);
     }
-    void hits(PictureRays rays, const Context* context, const TraceInfo& trace) {
+    void hits(PictureRays rays, const Context* context, const TraceInfo& trace, uint32_t first) {
         if (info_.looksThrough(rays)) {
-            const SurfaceTracePush all{tracePush(trace), push(bounce_)};
+            SurfaceTracePush all{tracePush(trace), push(bounce_)};
+            all.picture.first = first;
             recorder_.dispatch(kernels_.ofAlpha(trace.mode, info_), all, ceilDiv(trace.count, kGroup));
             return;
         }
         recorder_.barrier();
         cmdTrace(recorder_.commands(), *context, trace);
     }
-    TraceInfo traced(const Place& rays, const Place& hits, const Place& trails, const TraceMode& mode,
+    TraceInfo traced(const Place& rays, const Place& hits, const Place& trails, uint32_t first, const TraceMode& mode,
                      bool resumes) const {
         TraceInfo trace;
         trace.tree = info_.tree;
-        trace.rays = sliceOf<Ray>(rays);
-        trace.hits = sliceOf<Hit>(hits);
-        trace.trails = sliceOf<Trail>(trails);
+        trace.rays = from<Ray>(rays, first);
+        trace.hits = from<Hit>(hits, first);
+        trace.trails = from<Trail>(trails, first);
         trace.count = slice_.count;
         trace.mode = mode;
         trace.stepLimit = info_.stepLimit;
@@ -197,9 +203,11 @@ PictureArgs pictureArgs(const PictureInfo& info, const PictureLayout& at, const 
     a.albedo = info.albedo;
     a.camera = info.camera;
     a.view = static_cast<uint32_t>(info.view);
+    a.count = info.camera.width * info.camera.height;
     a.samples = info.samples;
     a.exposure = info.exposure;
     a.settings = info.settings;
+    a.ambientReach = info.ambientReach;
     return a;
 }
 

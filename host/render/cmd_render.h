@@ -54,7 +54,8 @@ struct PictureInfo {
     View view = View::shaded;
     uint32_t samples = 1;  // of a pixel; a single one is at its centre
     float exposure = 1.0f;
-    PathSettings settings{};  // of paths; its seed is of all samples
+    PathSettings settings{};    // of paths; its seed is of all samples
+    float ambientReach = 0.0f;  // of the view `shaded` by several samples, as PictureArgs::ambientReach
     Traversal traversal = Traversal::restart;
     TriangleTest test = TriangleTest::watertight;
     VkDeviceSize largestRange = 0;  // as BuildInfo::largestRange

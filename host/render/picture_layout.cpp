@@ -2,11 +2,12 @@
 
 namespace cleave {
 
-PictureCounts pictureCounts(uint32_t width, uint32_t height, uint32_t view) {
+PictureCounts pictureCounts(uint32_t width, uint32_t height, uint32_t view, uint32_t samples) {
     PictureCounts n;
     n.pixels = uint64_t(width) * height;
     n.counted = view == kViewSteps || view == kViewLeaves ? n.pixels : 0;
-    n.shadowed = isOfLight(view) ? n.pixels : 0;
+    n.ofLight = isOfLight(view) ? n.pixels : 0;
+    n.shadowed = view == kViewShaded && samples > 1 ? 2 * n.pixels : n.ofLight;
     n.walked = view == kViewPath ? n.pixels : 0;
     return n;
 }

@@ -1,4 +1,4 @@
-// Where the arrays of a picture lie in scratch memory; a function of its size and view.
+// Where the arrays of a picture lie in scratch memory; a function of its size, view and samples.
 #pragma once
 
 #include "record/placement.h"
@@ -10,10 +10,11 @@ namespace cleave {
 struct PictureCounts {
     uint64_t pixels = 0;
     uint64_t counted = 0;   // pixels, in views of counts
-    uint64_t shadowed = 0;  // pixels, in the views of light
+    uint64_t ofLight = 0;   // pixels, in the views of light
+    uint64_t shadowed = 0;  // shadow rays: one or two to a pixel, in the views of light
     uint64_t walked = 0;    // pixels, in the view of paths
 };
-PictureCounts pictureCounts(uint32_t width, uint32_t height, uint32_t view);
+PictureCounts pictureCounts(uint32_t width, uint32_t height, uint32_t view, uint32_t samples);
 
 // Arguments and state are in range 0.
 struct PictureLayout {

@@ -94,8 +94,9 @@ struct Renderer::State {
     }
 
     void reserve() {
-        at = pictureLayout(pictureCounts(info.camera.width, info.camera.height, static_cast<uint32_t>(info.view)),
-                           info.largestRange);
+        at = pictureLayout(
+            pictureCounts(info.camera.width, info.camera.height, static_cast<uint32_t>(info.view), info.samples),
+            info.largestRange);
         if (!at.ranges.fits())
             throw Error("a picture of " + std::to_string(info.camera.width) + " x " +
                         std::to_string(info.camera.height) + " is too large for this device; make a smaller one");
@@ -204,6 +205,7 @@ void Renderer::begin(const DeviceTree& tree, const DeviceTriangles& triangles, c
     info.samples = request.samples;
     info.exposure = request.exposure;
     info.settings.seed = mixedSeed(request.seed);
+    info.ambientReach = request.ambientReach;
     if (request.view == View::path) s.lightPaths(request);
     info.traversal = request.traversal;
     info.test = request.test;

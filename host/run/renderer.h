@@ -43,6 +43,8 @@ struct PictureRequest {
     uint32_t seed = 0;     // of samples and paths
     float exposure = 1.0f;
     Lighting lighting;  // of paths
+    // Of shaded, if there are several samples: what is farther from a surface takes no light from all around it.
+    float ambientReach = infinity();
     // Asked after each sample with how many there are: false ends the picture with these.
     std::function<bool(uint32_t samples)> goesOn;
     Traversal traversal = Traversal::restart;
@@ -81,8 +83,8 @@ class Renderer {
     // Whole samples so far, and the rows of the picture, from the top, that have one more.
     uint32_t samplesTaken() const;
     uint32_t rowsTaken() const;
-    // The picture of the whole samples; before there is one, the rows that were taken, and nothing below them. Not between
-    // the slices of a later sample.
+    // The picture of the whole samples; before there is one, the rows that were taken, and nothing below them. Not
+    // between the slices of a later sample.
     Picture show();
 
     // The primary rays of the last picture's last sample and their hits, tile by tile (pixelOf() in shared/picture.h).

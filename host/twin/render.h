@@ -12,7 +12,8 @@
 
 namespace cleave {
 
-// As PictureArgs, but with the arrays themselves, a ray per pixel in the order of pixelOf().
+// As PictureArgs, but with the arrays themselves, a ray per pixel in the order of pixelOf(); of shadow rays perhaps a
+// second one after all of these.
 struct PictureArrays {
     std::vector<Ray> rays;
     std::vector<Hit> hits;
@@ -37,6 +38,7 @@ struct PictureArrays {
     uint32_t samples = 1;
     float exposure = 1.0f;
     PathSettings settings{};
+    float ambientReach = 0.0f;
 };
 
 // As PicturePush.

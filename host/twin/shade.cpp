@@ -27,7 +27,8 @@ glm::vec3 colourOf(const PictureArrays& a, size_t i) {
     const glm::vec3& direction = a.rays[i].direction;
     if (a.view == kViewNormals) return facingNormal(hitTriangle(a, hit), direction) * 0.5f + 0.5f;
     const HitSurface point = hitSurface(a.surfaces.arrays(), a.surfaces.parts, hit, hitTriangle(a, hit), direction);
-    return shadedColour(point, a.shadowHits[i].prim == kNone);
+    const bool open = a.samples == 1 || a.shadowHits[a.rays.size() + i].prim == kNone;
+    return shadedColour(point, a.shadowRays[i].direction, a.shadowHits[i].prim == kNone, open);
 }
 
 }  // namespace

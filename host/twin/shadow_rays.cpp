@@ -1,3 +1,5 @@
+#include "shared/light_rays.h"
+
 #include "twin/render.h"
 
 namespace cleave::twin {
@@ -7,11 +9,16 @@ Triangle hitTriangle(const PictureArrays& a, const Hit& hit) {
                              : scaledTriangle(a.triangles[hit.prim], -a.exponent);
 }
 
-void shadowRays(PictureArrays& a, PassNumbers) {
-    for (size_t i = 0; i < a.rays.size(); i++) {
+void shadowRays(PictureArrays& a, PassNumbers numbers) {
+    const size_t pixels = a.rays.size();
+    for (uint32_t i = 0; i < pixels; i++) {
         const Hit& hit = a.hits[i];
-        const Triangle world = hit.prim == kNone ? Triangle{} : a.triangles[hit.prim];
-        a.shadowRays[i] = shadowRay(a.rays[i], hit, world);
+        LightRays made = noLightRays();
+        if (hit.prim != kNone)
+            made = lightRays(a.rays[i], hit, a.triangles[hit.prim], hitTriangle(a, hit), a.samples, a.ambientReach,
+                             pixelOf(i, a.camera.width, a.camera.height), numbers.path ^ a.settings.seed);
+        a.shadowRays[i] = made.sun;
+        if (a.samples > 1) a.shadowRays[pixels + i] = made.around;
     }
 }
 

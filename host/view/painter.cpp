@@ -7,6 +7,7 @@
 #include <span>
 
 #include "app/device_kit.h"
+#include "app/lighting.h"
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "figures/legend.h"
@@ -115,6 +116,7 @@ struct Painter::Easel {
         request.samples = wish.moves ? 1 : wish.samples;
         request.bounces = wish.moves ? std::min(wish.bounces, kMovingBounces) : wish.bounces;
         request.exposure = wish.exposure;
+        request.ambientReach = ambientReachOf(wish.staged->scene->restBounds);
         if (wish.view == View::path) request.lighting = wish.staged->geometry->lighting;
         request.traversal = wish.traversal;
         request.test = wish.test;

@@ -24,7 +24,8 @@ vec3 colourOf(uint i) {
     if (args.view == kViewDepth) return vec3(1.0 - 0.9 * onScale(hit.t, scale.low, scale.high));
     if (args.view == kViewNormals) return 0.5 * facingNormal(hitTriangle(hit), ray.direction) + 0.5;
     HitSurface point = hitSurface(surfaceArrays(), kParts, hit, hitTriangle(hit), ray.direction);
-    return shadedColour(point, args.shadowHits.at[i].prim == kNone);
+    bool open = args.samples == 1u || args.shadowHits.at[args.count + i].prim == kNone;
+    return shadedColour(point, args.shadowRays.at[i].direction, args.shadowHits.at[i].prim == kNone, open);
 }
 
 void main() {

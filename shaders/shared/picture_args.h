@@ -24,7 +24,7 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) buffer PictureState
     ROW(shadowPaths, uint, NumberArray, n.walked) /* the shadow ray's */                            \
     ROW(direct, vec3, Vec3Array, n.walked)        /* what a path finds if its shadow ray is free */ \
     ROW(radiance, vec3, Vec3Array, n.pixels)      /* the sum of all samples, or of colours */       \
-    ROW(unlit, vec4, Vec4Array, n.shadowed)       /* that of samples of unlit surfaces; how many */ \
+    ROW(unlit, vec4, Vec4Array, n.ofLight)        /* that of samples of unlit surfaces; how many */ \
     ROW(pixels, uint, UintArray, n.pixels)        /* R | G << 8 | B << 16 | A << 24, sRGB, row by row */
 
 #define CLEAVE_PICTURE_FIELD(name, Element, Array, count) CLEAVE_ADDRESS(Array) name;
@@ -41,11 +41,13 @@ struct PictureArgs {
     CLEAVE_ADDRESS(AlbedoTable) albedo;
     ImageCamera camera;
     uint view;
+    uint count;    // of pixels
     uint samples;  // of a pixel; a single one is at its centre
     float exposure;
     PathSettings settings;
+    float ambientReach;  // of the view `shaded`: what is farther from a surface takes no light from around it
 };
-CLEAVE_SIZE(PictureArgs, 408);
+CLEAVE_SIZE(PictureArgs, 416);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) buffer PictureArgsRef { PictureArgs at; };

@@ -8,8 +8,11 @@
 
 CLEAVE_BEGIN
 
-// The sun is a direction; the light that comes from everywhere else is a little blue.
+// The sun is a disc about a direction; the light that comes from everywhere else is a little blue.
 CLEAVE_FN vec3 towardsSun() { return vec3(-0.39036003f, 0.78072006f, 0.48795004f); }
+// Half of what the disc measures in the sky, as its sine; about twice the real one, so that shadows are seen to be
+// soft.
+CLEAVE_CONST float kSineOfSun = 0.01f;
 CLEAVE_CONST float kSunLight = 0.85f;
 
 CLEAVE_FN vec3 scaledBy(vec3 v, float s) { return vec3(v.x * s, v.y * s, v.z * s); }
@@ -80,17 +83,6 @@ CLEAVE_FN Ray noRay() {
 }
 // Rays from surfaces begin at 0.
 CLEAVE_FN bool isNoRay(Ray r) { return r.tMin > 0.0f; }
-
-// Makes a ray from the hit on a triangle of the world towards the sun; none where there is no hit.
-CLEAVE_FN Ray shadowRay(Ray r, Hit h, Triangle world) {
-    if (h.prim == kNone) return noRay();
-    Ray s;
-    s.tMin = 0.0f;
-    s.origin = leavingOrigin(world, h, r.direction);
-    s.direction = towardsSun();
-    s.tMax = infinity();
-    return s;
-}
 
 // Linear light of the sky in a direction.
 CLEAVE_FN vec3 backgroundColour(vec3 direction) {

@@ -201,14 +201,15 @@ CLEAVE_FN HitSurface hitSurface(SurfaceArrays s, uint parts, Hit hit, Triangle t
     return p;
 }
 
-// Linear light that a surface sends back in the view `shaded`, where the sun shines on it or does not.
-CLEAVE_FN vec3 shadedColour(HitSurface p, bool lit) {
+// Linear light that a surface sends back in the view `shaded`, where the sun, in that direction, shines on it or does
+// not, and the light from all around reaches it or does not.
+CLEAVE_FN vec3 shadedColour(HitSurface p, vec3 towardsLight, bool lit, bool open) {
     vec3 base = vec3(p.baseColour.x, p.baseColour.y, p.baseColour.z);
     if ((p.flags & kMaterialUnlit) != 0u) return base;
-    bool faces = dotOf(p.facing, towardsSun()) > 0.0f;
-    float sun = lit && faces ? kSunLight * max(dotOf(p.normal, towardsSun()), 0.0f) : 0.0f;
+    bool faces = dotOf(p.facing, towardsLight) > 0.0f;
+    float sun = lit && faces ? kSunLight * max(dotOf(p.normal, towardsLight), 0.0f) : 0.0f;
     vec3 around = mixed(vec3(0.16f, 0.15f, 0.14f), vec3(0.30f, 0.33f, 0.38f), 0.5f + 0.5f * p.normal.y);
-    vec3 ambient = scaledBy(around, p.occlusion);
+    vec3 ambient = scaledBy(around, open ? p.occlusion : 0.0f);
     return vec3(base.x * (ambient.x + sun), base.y * (ambient.y + sun * 0.97f), base.z * (ambient.z + sun * 0.90f)) +
            p.emission;
 }

@@ -77,6 +77,13 @@ TEST(Lighting, ScalesAreNoMatter) {
     }
 }
 
+// As far as rays may go, without overflow.
+TEST(Lighting, TheReachOfShadeIsAShareOfTheDiagonal) {
+    EXPECT_FLOAT_EQ(ambientReachOf({{-1, -2, 0}, {1, 4, 3}}), 0.35f);
+    EXPECT_FLOAT_EQ(ambientReachOf({vec3(-3e38f), vec3(3e38f)}), 0.05f * 1.7320508f * 2.0f * 3e38f);
+    EXPECT_FALSE(std::isnan(ambientReachOf(emptyBox())));
+}
+
 // A brightness that is infinite would be the whole of every chance.
 TEST(Lighting, BrightnessIsFinite) {
     gltf::Material blinding = emitting(1.0f, 3e38f);

@@ -54,6 +54,7 @@ void expectGolden(const std::string& name, const std::string& arguments) {
 TEST(Golden, ShadedStillLife) { expectGolden("still_life", "still_life.glb"); }
 TEST(Golden, ShadedDefaultScene) { expectGolden("default", "default.glb"); }
 TEST(Golden, ShadedCornell) { expectGolden("cornell", "cornell.glb"); }
+TEST(Golden, ShadedBySamples) { expectGolden("alpha_samples", "features/alpha.glb --spp 16"); }
 TEST(Golden, Normals) { expectGolden("shells_normals", "shells.glb --view normals"); }
 TEST(Golden, Depth) { expectGolden("stack_depth", "stack.glb --view depth"); }
 TEST(Golden, Steps) { expectGolden("cornell_steps", "cornell.glb --view steps --traversal restart"); }

@@ -124,8 +124,11 @@ TEST(Alpha, GoesOnWhereTheStepLimitEndedARay) {
     Renderer usual(device(), tracer), limited(device(), tracer, {.stepLimit = 5});
     PictureRequest request;
     request.camera = cameraAt({0.4, 0.5, 3.5}, {0.02, 0.01, -1}, 48);
-    EXPECT_EQ(limited.render(*tree, triangles, surfaces, request).pixels,
-              usual.render(*tree, triangles, surfaces, request).pixels);
+    for (const uint32_t samples : {1u, 2u}) {
+        request.samples = samples;
+        EXPECT_EQ(limited.render(*tree, triangles, surfaces, request).pixels,
+                  usual.render(*tree, triangles, surfaces, request).pixels);
+    }
 }
 
 std::vector<Triangle> square(float z) {

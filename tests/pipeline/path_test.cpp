@@ -5,12 +5,10 @@
 #include <cstdio>
 #include <numeric>
 
-#include "builders/builders.h"
 #include "render/albedo_table.h"
 #include "render/alias_table.h"
-#include "run/renderer.h"
 #include "shared/tone.h"
-#include "support/device.h"
+#include "support/lit_world.h"
 
 namespace cleave::test {
 
@@ -54,27 +52,6 @@ std::vector<Triangle> box() {
     return all;
 }
 
-// A square in the plane y = 0, of side 2.
-std::vector<Triangle> floorSquare() {
-    return {{{-1, 0, -1}, {1, 0, -1}, {-1, 0, 1}}, {{1, 0, 1}, {-1, 0, 1}, {1, 0, -1}}};
-}
-
-Material surface(float albedo, float metallic, float roughness, float emission = 0.0f) {
-    return plainMaterial({albedo, albedo, albedo, 1.0f}, vec3(emission), metallic, roughness, 0);
-}
-
-ImageCamera cameraAt(glm::dvec3 eye, glm::dvec3 look, glm::dvec3 up, double tangent, uint32_t size) {
-    ImageCamera c{};
-    c.eye = eye;
-    c.forward = glm::normalize(look - eye);
-    c.right = glm::normalize(glm::cross(c.forward, up));
-    c.up = glm::cross(c.right, c.forward);
-    c.pixel = 2.0 * tangent / size;
-    c.width = c.height = size;
-    c.tMax = infinity();
-    return c;
-}
-
 PictureRequest requestOf(const ImageCamera& camera, uint32_t samples, uint32_t bounces) {
     PictureRequest request;
     request.camera = camera;
@@ -84,44 +61,6 @@ PictureRequest requestOf(const ImageCamera& camera, uint32_t samples, uint32_t b
     request.bounces = bounces;
     request.seed = kSeed;
     return request;
-}
-
-// A world of one material, with a second one for the triangles from `second` on.
-std::vector<vec3> radiance(const std::vector<Triangle>& world, const std::vector<Material>& made, size_t second,
-                           const PictureRequest& request) {
-    const TriangleSet set = makeTriangleSet(world);
-    const DeviceTriangles triangles(device(), world);
-    const auto tree = uploadTree(device(), set, buildExact(set, BuildSettings{}));
-    SurfaceData data;
-    data.surfaceOf.assign(world.size(), 0);
-    std::fill(data.surfaceOf.begin() + static_cast<ptrdiff_t>(std::min(second, world.size())), data.surfaceOf.end(), 1);
-    data.materials = made;
-    for (const Material& material : made) data.hasAlpha = data.hasAlpha || !isOpaque(material);
-    const DeviceSurfaces surfaces(device(), data);
-    Tracer tracer(device());
-    Renderer renderer(device(), tracer);
-    const Picture picture = renderer.render(*tree, triangles, surfaces, request);
-    EXPECT_EQ(picture.cappedRays, 0u);
-    EXPECT_EQ(picture.samples, request.samples);
-    return renderer.readRadiance();
-}
-
-std::vector<vec3> radiance(const std::vector<Triangle>& world, const Material& material,
-                           const PictureRequest& request) {
-    return radiance(world, {material}, world.size(), request);
-}
-
-struct Mean {
-    double value = 0.0, error = 0.0;  // error: of the mean, one standard deviation
-};
-Mean meanOf(const std::vector<vec3>& pixels) {
-    double sum = 0.0, squares = 0.0;
-    for (const vec3& p : pixels) {
-        sum += double{p.x};
-        squares += double{p.x} * double{p.x};
-    }
-    const auto n = static_cast<double>(pixels.size());
-    return {sum / n, std::sqrt(std::max(squares / n - sum / n * (sum / n), 0.0) / n)};
 }
 
 // In a closed box that emits 1 and reflects a half of what comes, light is 1 + 1/2 + 1/4 + ... = 2.

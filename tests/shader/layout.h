@@ -84,7 +84,7 @@ struct LayoutRecord {
     ADDRESS(pictureArgs.texels, TexelArray) ADDRESS(pictureArgs.lights, LightArray)                              \
     ADDRESS(pictureArgs.emitters, AliasArray) ADDRESS(pictureArgs.albedo, AlbedoTable)                           \
     DOUBLE(pictureArgs.camera.pixel) UINT(pictureArgs.view)                                                      \
-    UINT(pictureArgs.samples) FLOAT(pictureArgs.exposure)                                \
+    UINT(pictureArgs.count) UINT(pictureArgs.samples) FLOAT(pictureArgs.exposure) FLOAT(pictureArgs.ambientReach)                                \
     FLOAT(pictureArgs.settings.sky.horizon.x) FLOAT(pictureArgs.settings.sky.zenith.z)                           \
     UINT(pictureArgs.settings.lightCount) UINT(pictureArgs.settings.emitters.slots)                              \
     FLOAT(pictureArgs.settings.emitters.scale) UINT(pictureArgs.settings.bounces) UINT(pictureArgs.settings.seed)     \

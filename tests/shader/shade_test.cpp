@@ -10,7 +10,8 @@ TEST(Shade, EqualsTwinAtEverySizeInEveryView) {
         for (const View view : {View::shaded, View::normals, View::depth, View::steps, View::leaves}) {
             SCOPED_TRACE(std::to_string(size.width) + " x " + std::to_string(size.height) + ", view " +
                          std::to_string(static_cast<uint32_t>(view)));
-            PicturePair pair(size.width, size.height, view, seed++);
+            PicturePair pair(size.width, size.height, view, seed, 1 + seed / 8 % 2);
+            seed++;
             pair.arrays.state.lowBits = ~orderedBits(0.5f);
             pair.arrays.state.highBits = orderedBits(40.0f);
             for (const uint32_t sample : {0u, 2u}) {
@@ -56,16 +57,21 @@ TEST(Shade, HandWorkedColours) {
     white.facing = white.normal = towardsSun();
     white.baseColour = vec4(1.0f);
     white.occlusion = 1.0f;
-    const vec3 shadow = shadedColour(white, false);
-    EXPECT_NEAR(shadedColour(white, true).x - shadow.x, kSunLight, 1e-6f);
+    const vec3 sun = towardsSun();
+    const vec3 shadow = shadedColour(white, sun, false, true);
+    EXPECT_NEAR(shadedColour(white, sun, true, true).x - shadow.x, kSunLight, 1e-6f);
+    EXPECT_EQ(shadedColour(white, sun, false, false), vec3(0.0f)) << "and the light from around is kept away";
+    EXPECT_NEAR(shadedColour(white, {0.0f, 1.0f, 0.0f}, true, false).x, kSunLight * sun.y, 1e-6f);
     white.occlusion = 0.0f;
     white.emission = {0.0f, 0.5f, 0.0f};
-    EXPECT_EQ(shadedColour(white, false), vec3(0.0f, 0.5f, 0.0f));
+    EXPECT_EQ(shadedColour(white, sun, false, true), vec3(0.0f, 0.5f, 0.0f));
     white.normal.y = -white.normal.y;  // as corners bend it; the triangle itself turns away
     white.facing = -white.facing;
-    EXPECT_EQ(shadedColour(white, true), vec3(0.0f, 0.5f, 0.0f)) << "the sun does not shine through a triangle";
+    EXPECT_EQ(shadedColour(white, sun, true, true), vec3(0.0f, 0.5f, 0.0f))
+        << "the sun does not shine through a triangle";
     white.flags = kMaterialUnlit;
-    EXPECT_EQ(shadedColour(white, true), vec3(1.0f));
+    EXPECT_EQ(shadedColour(white, sun, true, true), vec3(1.0f));
+    EXPECT_EQ(shadedColour(white, sun, false, false), vec3(1.0f));
 }
 
 }  // namespace cleave::test

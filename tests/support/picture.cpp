@@ -83,7 +83,7 @@ SurfaceData surfacesFor(size_t triangles, uint32_t seed) {
 
 }  // namespace
 
-PicturePair::PicturePair(uint32_t width, uint32_t height, View view, uint32_t seed) {
+PicturePair::PicturePair(uint32_t width, uint32_t height, View view, uint32_t seed, uint32_t samples) {
     const uint32_t pixels = width * height;
     std::vector<Triangle> world = mixedTriangles(100, seed);
     for (Triangle& t : world)
@@ -108,6 +108,8 @@ PicturePair::PicturePair(uint32_t width, uint32_t height, View view, uint32_t se
         {{0.9f, 0.8f, 0.7f}, {0.2f, 0.3f, 0.9f}}, 3, {static_cast<uint32_t>(arrays.emitters.size()), 0.02f}, 4, seed};
     arrays.camera = cameraOf(width, height, seed);
     arrays.view = static_cast<uint32_t>(view);
+    arrays.samples = samples;
+    arrays.ambientReach = 30.0f;
     const bool steps = countsSteps(view), walks = view == View::path, shadows = walks || view == View::shaded;
     for (uint32_t i = 0; i < pixels; i++) {
         arrays.rays.push_back(
@@ -115,12 +117,16 @@ PicturePair::PicturePair(uint32_t width, uint32_t height, View view, uint32_t se
         const bool found = unit(random) < 0.8f;
         const uint32_t prim = set.included[below(static_cast<uint32_t>(set.included.size()))];
         arrays.hits.push_back(found ? Hit{unit(random) * 50.0f, prim, 0.1f, 0.2f} : missedHit());
-        if (shadows) arrays.shadowHits.push_back(unit(random) < 0.5f ? arrays.hits.back() : missedHit());
         // Counts of one to four bytes, so that every round of the selection sees several values.
         if (steps)
             arrays.steps.push_back({below(1u << (8 * (1 + i % 4) - 1)), below(10), below(30), 0, below(70000), 0});
     }
-    if (shadows) arrays.shadowRays.resize(pixels);
+    const PictureCounts counts = pictureCounts(width, height, arrays.view, samples);
+    for (uint64_t i = 0; i < counts.shadowed; i++) {
+        arrays.shadowHits.push_back(unit(random) < 0.5f ? arrays.hits[i % pixels] : missedHit());
+        arrays.shadowRays.push_back(
+            {vec3(0.0f), 0.0f, glm::normalize(vec3(unit(random) - 0.5f, unit(random), unit(random))), 9.0f});
+    }
     for (uint32_t i = 0; i < pixels; i++) {
         arrays.radiance.emplace_back(unit(random), unit(random), unit(random));
         if (shadows) arrays.unlit.emplace_back(unit(random), unit(random), unit(random), below(3));
@@ -145,7 +151,7 @@ PicturePair::PicturePair(uint32_t width, uint32_t height, View view, uint32_t se
     tree.bounds = set.bounds;
     tree.exponent = set.exponent;
     tree_ = uploaded(device(), std::span<const TreeData>(&tree, 1));
-    at_ = pictureLayout(pictureCounts(width, height, arrays.view), 0);
+    at_ = pictureLayout(counts, 0);
     const VkDeviceSize bytes = at_.ranges.size(0);
     scratch_.reserve(device(), {&bytes, 1});
 }
@@ -161,6 +167,7 @@ PictureArrays PicturePair::onDevice(PictureKernels::Pass pass, PassNumbers numbe
     info.albedo = albedo_.address();
     info.samples = arrays.samples;
     info.exposure = arrays.exposure;
+    info.ambientReach = arrays.ambientReach;
     info.settings = arrays.settings;
     info.camera = arrays.camera;
     info.view = static_cast<View>(arrays.view);

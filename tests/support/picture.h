@@ -13,7 +13,7 @@ namespace cleave::test {
 class PicturePair {
   public:
     // The seed also says which parts surfaces have: eight that follow one another have all there are.
-    PicturePair(uint32_t width, uint32_t height, View view, uint32_t seed);
+    PicturePair(uint32_t width, uint32_t height, View view, uint32_t seed, uint32_t samples = 1);
 
     PictureArrays arrays;  // the twin's
 

@@ -1,0 +1,40 @@
+#include "app/run_options.h"
+
+#include "app/option_kinds.h"
+
+namespace cleave {
+
+// One scene. (A list limited to one would take the next argument too, and complain.)
+void addScene(CLI::App& app, Options& options, const std::string& text, bool needed) {
+    const auto read = [&options](const std::string& given) { options.scenes = {given}; };
+    app.add_option_function<std::string>("SCENE", read, text)->type_name("FILE")->required(needed);
+}
+
+CLI::Option* addTime(CLI::App& app, Options& options) {
+    CLI::Option* time = addParsed<double>(
+        app, "--time", "S", "the scene after so many seconds of its animation (its rest pose)", parseNumber,
+        [&options](double seconds) { options.time = seconds; }, "a number of seconds");
+    app.add_option("--animation", options.animation, "what is played: an animation of the scene, or all (the first)")
+        ->type_name("NAME|INDEX");
+    return time;
+}
+
+void addMachine(CLI::App& app, Options& options) {
+    app.add_option("--device", options.device, "Vulkan device, by index or a part of its name (see: cleave devices)")
+        ->type_name("NAME|INDEX");
+    addWhole(app, "--threads", "threads of CPU work (2)", options.settings.threads, 1, 1024);
+}
+
+void addTraversal(CLI::App& app, Options& options, bool several) {
+    addNames(app, "--traversal", "how rays go (stack)", options.traversals, kTraversals, several);
+    addNames(app, "--triangle-test", "how hits are decided", options.triangleTests, kTriangleTests, several);
+    addWhole(app, "--check", "judge so many of the rays by the reference", options.check, 1, uint64_t{1} << 32);
+}
+
+void addOutput(CLI::App& app, Options& options) {
+    app.add_option("--json", options.json, "write all figures to this file")->type_name("FILE");
+    app.add_flag("--quiet", options.quiet, "print nothing but errors");
+    app.set_version_flag("--version", "cleave " CLEAVE_VERSION, "print the version and end");
+}
+
+}  // namespace cleave
