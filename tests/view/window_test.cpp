@@ -17,11 +17,12 @@ namespace {
 const std::string kScenes = CLEAVE_SOURCE "/scenes/";
 
 // Validation is on, and a message fails the test.
-Outcome runWindow(const std::string& script, std::vector<std::string> arguments) {
+Outcome runWindow(const std::string& script, std::vector<std::string> arguments,
+                  const std::string& before = "CLEAVE_VALIDATION=1") {
     const TemporaryFolder folder;
     put(folder / "script.txt", script);
     arguments.insert(arguments.end(), {"--script", (folder / "script.txt").string()});
-    const Outcome outcome = runProgramAt(CLEAVE_VIEWER, arguments, "CLEAVE_VALIDATION=1");
+    const Outcome outcome = runProgramAt(CLEAVE_VIEWER, arguments, before);
     EXPECT_EQ(outcome.err.find("validation:"), std::string::npos) << outcome.err;
     return outcome;
 }
@@ -186,6 +187,32 @@ TEST_F(InWindow, ComparesWithTheReference) {
         }
     }
     EXPECT_GT(seen, 500u) << "triangles";
+}
+
+// Memory of the process after so many rounds of use: drags, views, builders, scenes, sizes, an animation.
+uint64_t bytesAfter(int rounds, const std::filesystem::path& json) {
+    std::string script = "size 320 180\nwait idle\n";
+    for (int i = 0; i < rounds; ++i)
+        script +=
+            "drag left 100 100 180 90\nview normals\nwait idle\nbuilder shevtsov\nview path\nwait frames 20\n"
+            "view shaded\nbuilder gpu\nsize 300 200\nwait idle\ndrop " +
+            kScenes + "features/skin.glb\nplay\nwait frames 20\npause\nkey t\nwait frames 3\nkey t\ndrop " + kScenes +
+            "shells.glb\nsize 320 180\nwait idle\n";
+    const Outcome outcome = runWindow(script, {kScenes + "shells.glb", "--json", json.string()}, "");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const std::string told = contentOf(json);
+    const size_t at = told.find("\"residentBytes\": ");
+    return at == std::string::npos ? 0 : std::strtoull(told.c_str() + at + 17, nullptr, 10);
+}
+
+TEST_F(InWindow, DoesNotGrowWithUse) {
+    const bool isLong = std::getenv("CLEAVE_LONG") != nullptr;  // then some ten minutes
+    const int rounds = isLong ? 150 : 10;
+    const uint64_t before = bytesAfter(3, folder / "a.json"), after = bytesAfter(rounds, folder / "b.json");
+    std::printf("%.1f MiB after 3 rounds, %.1f MiB after %d\n", static_cast<double>(before) / (1 << 20),
+                static_cast<double>(after) / (1 << 20), rounds);
+    ASSERT_GT(before, 0u);
+    EXPECT_LT(after, before + (uint64_t{48} << 20));
 }
 
 TEST_F(InWindow, AStepThatFailsEndsItWithItsLine) {
