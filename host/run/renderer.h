@@ -43,8 +43,8 @@ struct PictureRequest {
     uint32_t seed = 0;     // of samples and paths
     float exposure = 1.0f;
     Lighting lighting;  // of paths
-    float ambientReach =
-        infinity();  // of shaded, if there are several samples: what is farther away takes no light from all around
+    // Of shaded, if there are several samples: what is farther from a surface takes no light from all around it.
+    float ambientReach = infinity();
     // Asked after each sample with how many there are: false ends the picture with these.
     std::function<bool(uint32_t samples)> goesOn;
     Traversal traversal = Traversal::restart;
