@@ -148,6 +148,7 @@ void addNames(CLI::App& app, const std::string& name, const std::string& text, s
 void addBuilders(CLI::App& app, Options& options, bool several) {
     const auto read = [&options, several](const std::string& given) {
         options.builders.clear();
+        options.namesBuilder = true;
         std::vector<std::string> names = several ? CLI::detail::split(given, ',') : std::vector<std::string>{given};
         for (const std::string& name : names) {
             const Builder builder = builderNamed(name);
@@ -205,6 +206,11 @@ void addBuild(CLI::App& app, Options& options, bool several) {
              1u << 20);
     addNamed(app, "--axes", "medians: axes that a node is cut along", settings.axes, kAxes);
     addNamed(app, "--clip", "clip triangles to the cells", settings.clip, kSwitch);
+}
+
+void addKeepAll(CLI::App& app, Options& options) {
+    app.add_flag_callback(
+        "--keep-all", [&options] { options.keep.set(); }, "leave nothing out that the scene has no need of");
 }
 
 void addTraversal(CLI::App& app, Options& options, bool several) {
@@ -305,6 +311,7 @@ void addRender(CLI::App& app, Options& options) {
     addFrames(app, options, addTime(app, options));
     addBuild(app, options, false);
     addTraversal(app, options, false);
+    addKeepAll(app, options);
     addOutput(app, options);
 }
 
@@ -343,6 +350,7 @@ void addTrace(CLI::App& app, Options& options) {
         all->excludes(fixed);
         count->excludes(fixed);
     }
+    addKeepAll(app, options);
     addOutput(app, options);
 }
 
@@ -373,6 +381,7 @@ void addQuery(CLI::App& app, Options& options) {
         ->needs(nearest);
     addTime(app, options);
     addBuild(app, options, false);
+    addKeepAll(app, options);
     addOutput(app, options);
 }
 
@@ -381,6 +390,7 @@ void addInfo(CLI::App& app, Options& options) {
     app.add_flag("--validate", options.validate, "check the tree against its triangles");
     addTime(app, options);
     addBuild(app, options, false);
+    addKeepAll(app, options);
     addOutput(app, options);
 }
 
@@ -403,6 +413,9 @@ void addBench(CLI::App& app, Options& options) {
         app.add_flag("--queries", options.queries, "all hits, counts, nearest points, containment, overlaps instead");
     for (const char* fixed : {"--builder", "--traversal", "--triangle-test", "--peers", "--work", "--queries"})
         survey->excludes(fixed);
+    CLI::Option* needs = app.add_flag("--needs", options.needs, "what leaving out parts saves in pictures, one by one");
+    for (const char* fixed : {"--builder", "--triangle-test", "--peers", "--work", "--queries", "--survey"})
+        needs->excludes(fixed);
     for (const char* other : {"--traversal", "--triangle-test", "--peers", "--work", "--check"})
         queries->excludes(other);
     addOutput(app, options);

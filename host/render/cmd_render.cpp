@@ -59,7 +59,7 @@ class PictureRecording {
           info_(info),
           scratch_(scratch),
           sample_(sample),
-          counts_(pictureCounts(info.camera.width, info.camera.height, static_cast<uint32_t>(info.view))),
+          counts_(pictureCounts(info.camera.width, info.camera.height, static_cast<uint32_t>(info.view), info.parts())),
           at_(pictureLayout(counts_, info.largestRange)) {}
 
     void arguments() {
@@ -83,7 +83,7 @@ class PictureRecording {
     void scale() {
         zero(0, offsetof(PictureState, histogram));
         if (info_.view == View::depth) perRay(PictureKernels::depth_scale);
-        for (uint32_t round = 0; round < 4 && counts_.counted > 0; round++) {
+        for (uint32_t round = 0; round < 4 && countsSteps(info_.view); round++) {
             perRay(PictureKernels::count_histogram, round);
             pass(PictureKernels::select_count, round, 1);
         }
@@ -162,7 +162,7 @@ class PictureRecording {
         trace.tree = info_.tree;
         trace.rays = address(rays);
         trace.hits = address(hits);
-        trace.trails = address(trails);
+        if (counts_.trails > 0) trace.trails = address(trails);
         trace.count = rayCount();
         trace.mode = mode;
         trace.stepLimit = info_.stepLimit;
@@ -218,6 +218,7 @@ void PictureKernels::make(const char* name, size_t pushBytes, std::vector<uint32
 
 void PictureKernels::prepare(const PictureInfo& info) {
     for (const Pass pass : passesOf(info.view)) make(kNames[pass], sizeof(PicturePush), constantsOf(pass, info));
+    if (info.kept.shadows) make(kNames[shadow_rays], sizeof(PicturePush), {});
     if (info.looksThrough(PictureRays::primary))
         make(kAlpha, sizeof(SurfaceTracePush), alphaConstants(info.primaryMode(), info));
     if (info.looksThrough(PictureRays::shadow))

@@ -2,12 +2,19 @@
 
 namespace cleave {
 
-PictureCounts pictureCounts(uint32_t width, uint32_t height, uint32_t view) {
+PictureParts partsOf(uint32_t view) {
+    return {view == kViewSteps || view == kViewLeaves, isOfLight(view), view == kViewPath, true};
+}
+
+PictureCounts pictureCounts(uint32_t width, uint32_t height, uint32_t view, const PictureParts& parts) {
     PictureCounts n;
     n.pixels = uint64_t(width) * height;
-    n.counted = view == kViewSteps || view == kViewLeaves ? n.pixels : 0;
-    n.shadowed = isOfLight(view) ? n.pixels : 0;
-    n.walked = view == kViewPath ? n.pixels : 0;
+    n.trails = parts.trails ? n.pixels : 0;
+    n.counted = parts.steps ? n.pixels : 0;
+    n.shadowed = parts.shadows ? n.pixels : 0;
+    n.shadowTrails = parts.shadows ? n.trails : 0;
+    n.lit = isOfLight(view) ? n.pixels : 0;
+    n.walked = parts.paths ? n.pixels : 0;
     return n;
 }
 

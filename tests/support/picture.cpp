@@ -145,7 +145,7 @@ PicturePair::PicturePair(uint32_t width, uint32_t height, View view, uint32_t se
     tree.bounds = set.bounds;
     tree.exponent = set.exponent;
     tree_ = uploaded(device(), std::span<const TreeData>(&tree, 1));
-    at_ = pictureLayout(pictureCounts(width, height, arrays.view), 0);
+    at_ = pictureLayout(pictureCounts(width, height, arrays.view, partsOf(arrays.view)), 0);
     const VkDeviceSize bytes = at_.ranges.size(0);
     scratch_.reserve(device(), {&bytes, 1});
 }
