@@ -1,6 +1,7 @@
 // bench --needs: whole runs of `render`, from the file to the pixels, with all left out that the scene has no need of,
 // and with one part after the other kept. Everything is made anew for each; only compiled kernels are there already.
 #include <algorithm>
+#include <ctime>
 
 #include "app/commands.h"
 #include "app/picture_of.h"
@@ -23,11 +24,12 @@ struct Way {
     Options options;
     std::vector<uint32_t> pixels;
     uint64_t deviceBytes = 0;
-    std::vector<double> runs;  // ms
+    std::vector<double> runs;     // ms
+    std::vector<double> cpuRuns;  // of all threads, ms
 };
 
 Way wayOf(const Options& asked, const std::filesystem::path& file, View view, std::string name, NeedSet keep) {
-    Way way{std::move(name), asked, {}, 0, {}};
+    Way way{std::move(name), asked, {}, 0, {}, {}};
     Options& options = way.options;
     options.command = Command::render;
     options.scenes = {file};
@@ -43,12 +45,14 @@ Way wayOf(const Options& asked, const std::filesystem::path& file, View view, st
 struct Shot {
     Picture picture;
     double ms = 0.0;
+    double cpuMs = 0.0;
     uint64_t deviceBytes = 0;
     std::map<Need, Reason> leftOut;
 };
 
 // `judged`: so many of its primary rays are.
 Shot shoot(const Options& options, uint64_t judged) {
+    const std::clock_t began = std::clock();
     Run run(options);
     Session session(run, options.scenes.front(), showsSurfaces(options.view) ? Detail::corners : Detail::triangles);
     const DeviceSurfaces surfaces = session.surfacesOnDevice(options.view);
@@ -58,6 +62,7 @@ Shot shoot(const Options& options, uint64_t judged) {
     Shot shot;
     shot.picture = run.device.renderer().render(tree, session.trianglesOnDevice(), surfaces, request);
     shot.ms = run.total.milliseconds();
+    shot.cpuMs = 1000.0 * static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC;
     shot.deviceBytes = run.device.device().memoryInUse();
     shot.leftOut = session.needs().leftOut();
     if (judged > 0)
@@ -92,15 +97,17 @@ std::vector<Way> waysOf(const Options& asked, const std::filesystem::path& file,
 double ratio(double of, double to) { return to > 0.0 ? of / to : 1.0; }
 
 std::string tableOf(const char* view, const std::vector<Way>& ways) {
-    std::vector<std::vector<std::string>> rows{{"view", "kept", "ms", "min..max", "ratio", "device memory", "ratio"}};
+    std::vector<std::vector<std::string>> rows{
+        {"view", "kept", "ms", "min..max", "ratio", "CPU ms", "ratio", "device memory", "ratio"}};
     const Way& least = ways.front();
     for (const Way& way : ways) {
         const auto [low, high] = std::minmax_element(way.runs.begin(), way.runs.end());
         rows.push_back({view, way.name, fixed(medianOf(way.runs), 1), fixed(*low, 1) + ".." + fixed(*high, 1),
-                        fixed(ratio(medianOf(way.runs), medianOf(least.runs)), 3), bytesText(way.deviceBytes),
+                        fixed(ratio(medianOf(way.runs), medianOf(least.runs)), 3), fixed(medianOf(way.cpuRuns), 1),
+                        fixed(ratio(medianOf(way.cpuRuns), medianOf(least.cpuRuns)), 3), bytesText(way.deviceBytes),
                         fixed(ratio(static_cast<double>(way.deviceBytes), static_cast<double>(least.deviceBytes)), 3)});
     }
-    return alignedTable(rows, "llrrrrr");
+    return alignedTable(rows, "llrrrrrrr");
 }
 
 Json jsonOf(const char* view, const std::vector<Way>& ways) {
@@ -111,6 +118,7 @@ Json jsonOf(const char* view, const std::vector<Way>& ways) {
                         {"kept", way.name},
                         {"ms", numberJson(medianOf(way.runs))},
                         {"runsMs", way.runs},
+                        {"cpuMs", numberJson(medianOf(way.cpuRuns))},
                         {"ratio", numberJson(ratio(medianOf(way.runs), least))},
                         {"deviceBytes", way.deviceBytes}});
     return list;
@@ -126,7 +134,11 @@ Json benchScene(Run& run, const std::filesystem::path& file) {
         // Side by side, so that all meet the same load of the machine.
         for (uint32_t i = 0; i < run.options.runs; ++i) {
             run.progress.phase("timing pictures, run " + std::to_string(i + 1));
-            for (Way& way : ways) way.runs.push_back(shoot(way.options, 0).ms);
+            for (Way& way : ways) {
+                const Shot shot = shoot(way.options, 0);
+                way.runs.push_back(shot.ms);
+                way.cpuRuns.push_back(shot.cpuMs);
+            }
         }
         text += tableOf(name, ways);
         for (Json& row : jsonOf(name, ways)) json["needs"].push_back(std::move(row));

@@ -418,6 +418,8 @@ void addBench(CLI::App& app, Options& options) {
         needs->excludes(fixed);
     for (const char* other : {"--traversal", "--triangle-test", "--peers", "--work", "--check"})
         queries->excludes(other);
+    addKeepAll(app, options);
+    needs->excludes("--keep-all");
     addOutput(app, options);
 }
 

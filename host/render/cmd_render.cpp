@@ -38,6 +38,9 @@ std::vector<PictureKernels::Pass> passesOf(View view) {
     return {P::camera_rays, P::shade, P::tone};
 }
 
+// A part that scenes may lack doubles the pipelines of a kernel, which a device may have to compile anew.
+static_assert(kPartVariants <= 8u);
+
 // The specialisation constants of lib/trace_main.glsl, which come first, do not concern the passes.
 std::vector<uint32_t> constantsOf(PictureKernels::Pass pass, const PictureInfo& info) {
     const bool seesSurfaces = pass == PictureKernels::path_scatter || pass == PictureKernels::shade;
@@ -46,7 +49,7 @@ std::vector<uint32_t> constantsOf(PictureKernels::Pass pass, const PictureInfo& 
 
 std::vector<uint32_t> alphaConstants(const TraceMode& mode, const PictureInfo& info) {
     return {mode.query == Query::any ? 1u : 0u, mode.countSteps ? 1u : 0u, static_cast<uint32_t>(mode.test),
-            info.surfaces.parts, static_cast<uint32_t>(mode.traversal)};
+            info.surfaces.parts & ~kPartNormals, static_cast<uint32_t>(mode.traversal)};
 }
 
 class PictureRecording {

@@ -40,9 +40,9 @@ Scene loadGltf(const std::filesystem::path& file, Reading reading) {
     });
 }
 
-Scene loadGltf(const std::filesystem::path& file, std::span<const unsigned char> bytes, size_t mostTriangles) {
-    return naming(failedToLoad(file),
-                  [&] { return sceneOf(parseGltfFile(file, bytes), mostTriangles, Reading::shown); });
+Scene loadGltf(const std::filesystem::path& file, std::span<const unsigned char> bytes, size_t mostTriangles,
+               Reading reading) {
+    return naming(failedToLoad(file), [&] { return sceneOf(parseGltfFile(file, bytes), mostTriangles, reading); });
 }
 
 }  // namespace cleave

@@ -48,6 +48,6 @@ Scene loadGltf(const std::filesystem::path& file, Reading reading = Reading::sho
 // Loads the same from bytes in memory. `file` names them in messages, and its folder is where URIs lead. Throws Error
 // if the scene shows more than `mostTriangles`.
 Scene loadGltf(const std::filesystem::path& file, std::span<const unsigned char> bytes,
-               size_t mostTriangles = kMostTriangles);
+               size_t mostTriangles = kMostTriangles, Reading reading = Reading::shown);
 
 }  // namespace cleave
