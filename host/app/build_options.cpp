@@ -44,6 +44,7 @@ void addHeuristic(CLI::App& app, BuildSettings& settings) {
 void addBuilders(CLI::App& app, Options& options, bool several) {
     const auto read = [&options, several](const std::string& given) {
         options.builders.clear();
+        options.namesBuilder = true;
         std::vector<std::string> names = several ? CLI::detail::split(given, ',') : std::vector<std::string>{given};
         for (const std::string& name : names) {
             const Builder builder = builderNamed(name);

@@ -114,6 +114,7 @@ void runBench(Run& run) {
     if (run.options.survey) return runSurvey(run);
     if (run.options.json) requireWritable(*run.options.json);
     if (run.options.queries) return runQueryBench(run);
+    if (run.options.needs) return runNeedsBench(run);
     Json scenes = Json::array();
     for (const std::filesystem::path& file : run.options.scenes) scenes.push_back(benchScene(run, file));
     writeReport(run, scenes.size() == 1 ? scenes.front() : Json{{"scenes", scenes}});

@@ -41,6 +41,7 @@ class FrameRenderer {
         const std::vector<bool> moving = movingNodes(session_.scene(), session_.animations());
         movingTriangles_ = countMoving(session_.posed(), moving);
         staticTriangles_ = session_.posed().triangles.size() - movingTriangles_;
+        builder_ = session_.chosenBuilder(countsSteps(run.options.view));
         report_["scene"] = sceneJson(session_);
         report_["frames"] = Json::array();
     }
@@ -50,7 +51,7 @@ class FrameRenderer {
         const Options& options = run_.options;
         session_.poseAt(frame.seconds);
         session_.moveSurfaces(surfaces_);
-        BuiltTree built = session_.buildPlain(options.builders.front());
+        BuiltTree built = session_.buildPlain(builder_);
         const DeviceTree& tree = session_.upload(built);
         const PictureRequest request = requestOf(run_, session_);
         const Picture picture = pictureOf(tree, request);
@@ -74,15 +75,14 @@ class FrameRenderer {
     // Of what was rendered so far.
     Json report() const {
         Json report = report_;
-        report["build"] = {{"builder", nameOf(run_.options.builders.front())},
-                           {"setupMs", numberJson(run_.device.setupMilliseconds())}};
+        report["build"] = {{"builder", nameOf(builder_)}, {"setupMs", numberJson(run_.device.setupMilliseconds())}};
         if (run_.options.check > 0) report["check"] = checkJson(checked_);
         return report;
     }
     std::string summary() const {
         const auto count = static_cast<double>(rendered());
-        return "motion    " + grouped(movingTriangles_) + " of " + grouped(movingTriangles_ + staticTriangles_) +
-               " triangles move" + animationsText() + "\n" +
+        return session_.needs().line() + "motion    " + grouped(movingTriangles_) + " of " +
+               grouped(movingTriangles_ + staticTriangles_) + " triangles move" + animationsText() + "\n" +
                (rendered() > 0 ? "each      build " + fixed(buildMs_ / count, 3) + " ms, trace " +
                                      fixed(traceMs_ / count, 3) + " ms\n"
                                : "") +
@@ -123,6 +123,7 @@ class FrameRenderer {
 
     Run& run_;
     Session session_;
+    Builder builder_;
     DeviceSurfaces surfaces_;
     uint64_t movingTriangles_ = 0;
     uint64_t staticTriangles_ = 0;

@@ -124,11 +124,12 @@ void runInfo(Run& run) {
     if (options.json) requireWritable(*options.json);
     Session session(run, options.scenes.front());
     run.print(sceneTable(session));
-    const BuiltTree built = session.build(options.builders.front());
+    const BuiltTree built = session.build(session.chosenBuilder(true));
     run.progress.phase("asking leaves");
     const LeafReasons reasons = countLeafReasons(built.tree, session.set(), options.settings);
     run.progress.clear();
-    run.print("\n" + treeTable(built, session) + "\n" + histogramTable(built.statistics) + "\n" + reasonTable(reasons));
+    run.print("\n" + session.needs().line() + treeTable(built, session) + "\n" + histogramTable(built.statistics) +
+              "\n" + reasonTable(reasons));
 
     Json report{{"scene", sceneJson(session)}, {"build", buildJson(built)}};
     report["build"]["leafReasons"] = reasonJson(reasons);

@@ -65,7 +65,7 @@ void runQuery(Run& run) {
         asked.points = readPoints(options.rays);
     Session session(run, options.scenes.front());
     if (options.question == Question::contains) requireClosed(session);
-    BuiltTree built = session.build(options.builders.front());
+    BuiltTree built = session.build(session.chosenBuilder(false));
     const DeviceTree& tree = session.upload(built);
     run.progress.phase("searching");
     const Answered answered = answer(run.device.searcher(), tree, options, asked);
@@ -81,9 +81,10 @@ void runQuery(Run& run) {
     if (answered.invalid > 0)
         run.warn(grouped(answered.invalid) + (ofBoxes ? " boxes have lo > hi or no number, and meet nothing"
                                                       : " points are not finite, and have no answer"));
-    run.print(builtLine(built) + "asked     " + grouped(asked.size()) + (ofBoxes ? " boxes" : " points") + " in " +
-              fixed(answered.ms, 3) + " ms" + (rate ? ", " + fixed(*rate, 3) + " million per second" : "") + "; " +
-              grouped(answered.found) + " " + answered.count + "\nanswers   " + options.output.string() + "\n");
+    run.print(session.needs().line() + builtLine(built) + "asked     " + grouped(asked.size()) +
+              (ofBoxes ? " boxes" : " points") + " in " + fixed(answered.ms, 3) + " ms" +
+              (rate ? ", " + fixed(*rate, 3) + " million per second" : "") + "; " + grouped(answered.found) + " " +
+              answered.count + "\nanswers   " + options.output.string() + "\n");
 }
 
 }  // namespace cleave

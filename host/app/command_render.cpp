@@ -24,7 +24,7 @@ void runRender(Run& run) {
     const Detail detail = showsSurfaces(options.view) ? Detail::corners : Detail::triangles;
     Session session(run, options.scenes.empty() ? defaultScene() : options.scenes.front(), detail);
     const DeviceSurfaces surfaces = session.surfacesOnDevice(options.view);
-    BuiltTree built = session.build(options.builders.front());
+    BuiltTree built = session.build(session.chosenBuilder(countsSteps(options.view)));
     const DeviceTree& tree = session.upload(built);
     const DeviceTriangles& triangles = session.trianglesOnDevice();
     run.progress.phase("rendering");
@@ -56,7 +56,7 @@ void runRender(Run& run) {
     writeReport(run, report);
     requireAnswered(picture.cappedRays, check, session.scene().name);
 
-    run.print(builtLine(built) + tracedLine(rays, picture.traceMs, picture.invalidRays) +
+    run.print(session.needs().line() + builtLine(built) + tracedLine(rays, picture.traceMs, picture.invalidRays) +
               (options.check > 0 ? checkedLine(check) : "") + "picture   " + options.output.string() +
               (request.samples > 1 ? ", " + std::to_string(picture.samples) + " samples per pixel" : "") + "\n");
     if (watch.wasInterrupted() && picture.samples < request.samples)

@@ -89,15 +89,17 @@ void runTrace(Run& run) {
     if (options.json) requireWritable(*options.json);
     const std::vector<Ray> rays = readRays(options.rays);
     Session session(run, options.scenes.front());
-    BuiltTree built = session.build(options.builders.front());
+    BuiltTree built = session.build(session.chosenBuilder(false));
     const DeviceTree& tree = session.upload(built);
+    findInTracing(session.needs(), {options.query, run.traversal()});
     const Traced traced = answered(run, session, tree, rays);
 
     Json report{{"scene", sceneJson(session)}, {"build", buildJson(built)}, {"trace", traced.json}};
     if (options.check > 0) report["check"] = checkJson(traced.check);
     writeReport(run, report);
     requireAnswered(traced.cappedRays, traced.check, session.scene().name);
-    run.print(builtLine(built) + tracedLine(rays.size(), traced.ms, traced.invalidRays) + traced.told);
+    run.print(session.needs().line() + builtLine(built) + tracedLine(rays.size(), traced.ms, traced.invalidRays) +
+              traced.told);
 }
 
 }  // namespace cleave

@@ -13,6 +13,7 @@ void runInfo(Run& run);
 void runBench(Run& run);
 void runQueryBench(Run& run);  // bench --queries
 void runSurvey(Run& run);      // bench --survey
+void runNeedsBench(Run& run);  // bench --needs
 void runReport(Run& run);
 void runStability(Run& run);
 void runParity(Run& run);  // of stability --parity

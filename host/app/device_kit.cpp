@@ -40,7 +40,9 @@ GpuBuilder& DeviceKit::builder() {
 }
 
 Tracer& DeviceKit::tracer() {
-    if (!tracer_) tracer_ = std::make_unique<Tracer>(device());
+    TraceLimits limits;
+    limits.keepsTrails = keepsTrails_;
+    if (!tracer_) tracer_ = std::make_unique<Tracer>(device(), limits);
     return *tracer_;
 }
 

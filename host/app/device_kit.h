@@ -19,9 +19,9 @@ ValidationListener validationAsked();
 
 class DeviceKit {
   public:
-    // `rayTracing`: with the driver's own, too, to compare with.
-    explicit DeviceKit(std::string nameOrIndex, bool rayTracing = false)
-        : nameOrIndex_(std::move(nameOrIndex)), rayTracing_(rayTracing) {}
+    // `rayTracing`: with the driver's own, too, to compare with. `keepsTrails`: of TraceLimits.
+    explicit DeviceKit(std::string nameOrIndex, bool rayTracing = false, bool keepsTrails = false)
+        : nameOrIndex_(std::move(nameOrIndex)), rayTracing_(rayTracing), keepsTrails_(keepsTrails) {}
 
     // Opened with what the environment says: CLEAVE_VALIDATION=1 turns the validation layers on, CLEAVE_NO_MAP=1
     // refuses mapped device memory, CLEAVE_NO_RAY_TRACING=1 the driver's own ray tracing. Pipelines are kept in the
@@ -43,6 +43,7 @@ class DeviceKit {
     // The order matters: what lives on the device goes before it.
     std::string nameOrIndex_;
     bool rayTracing_;
+    bool keepsTrails_;
     std::unique_ptr<Device> device_;
     std::unique_ptr<GpuBuilder> builder_;
     std::unique_ptr<Tracer> tracer_;

@@ -32,6 +32,7 @@ void addInfo(CLI::App& app, Options& options) {
     app.add_flag("--validate", options.validate, "check the tree against its triangles");
     addTime(app, options);
     addBuild(app, options, false);
+    addKeepAll(app, options);
     addOutput(app, options);
 }
 
@@ -54,8 +55,13 @@ void addBench(CLI::App& app, Options& options) {
         app.add_flag("--queries", options.queries, "all hits, counts, nearest points, containment, overlaps instead");
     for (const char* fixed : {"--builder", "--traversal", "--triangle-test", "--peers", "--work", "--queries"})
         survey->excludes(fixed);
+    CLI::Option* needs = app.add_flag("--needs", options.needs, "what leaving out parts saves in pictures, one by one");
+    for (const char* fixed : {"--builder", "--triangle-test", "--peers", "--work", "--queries", "--survey"})
+        needs->excludes(fixed);
     for (const char* other : {"--traversal", "--triangle-test", "--peers", "--work", "--check"})
         queries->excludes(other);
+    addKeepAll(app, options);
+    needs->excludes("--keep-all");
     addOutput(app, options);
 }
 

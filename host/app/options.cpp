@@ -139,8 +139,8 @@ Request parseCommandLine(int argc, const char* const* argv) {
 Request parseViewerLine(int argc, const char* const* argv) {
     Options options;
     CLI::App app("cleave-view: fly through a scene, and see its tree", "cleave-view");
-    app.set_version_flag("--version", "cleave-view " CLEAVE_VERSION, "print the version and end");
     addView(app, options);
+    app.set_version_flag("--version", "cleave-view " CLEAVE_VERSION, "print the version and end");
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {

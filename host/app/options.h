@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/needs.h"
 #include "figures/names.h"
 #include "render/cmd_render.h"
 #include "tree/kd_tree.h"
@@ -47,7 +48,9 @@ struct Options {
     bool quiet = false;
 
     std::vector<Builder> builders{Builder::gpu};  // bench: several; stability: empty means all
+    bool namesBuilder = false;                    // on the command line
     BuildSettings settings;
+    NeedSet keep;  // not left out, though nothing needs it
     std::string device;
     uint64_t check = 0;  // rays of a run to be judged
     bool validate = false;
@@ -79,6 +82,7 @@ struct Options {
     bool work = false;     // bench: what rays do on their way, too
     bool peers = false;    // bench, report: other ray tracers too, on the same rays
     bool queries = false;  // bench: the other queries instead of closest and any hits
+    bool needs = false;    // bench: what leaving out saves, instead
     bool survey = false;   // bench: the survey's builders and tables instead of `builders`
 
     bool quick = false;

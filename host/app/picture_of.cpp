@@ -33,6 +33,12 @@ PictureRequest requestOf(Run& run, Session& session) {
     if (options.view == View::path) request.lighting = lightingOf(session.scene(), session.posed());
     request.traversal = run.traversal();
     request.test = options.triangleTests.front();
+    Needs& needs = session.needs();
+    findInTracing(needs, {Query::closest, request.traversal, request.test, false});
+    findInPicture(needs, options.view);
+    request.kept.steps = needs.keeps(Need::stepCounters);
+    request.kept.shadows = needs.keeps(Need::shadows);
+    request.kept.trails = needs.keeps(Need::trails);
     return request;
 }
 

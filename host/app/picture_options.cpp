@@ -94,6 +94,7 @@ void addRender(CLI::App& app, Options& options) {
     addFrames(app, options, addTime(app, options));
     addBuild(app, options, false);
     addTraversal(app, options, false);
+    addKeepAll(app, options);
     addOutput(app, options);
 }
 

@@ -45,6 +45,7 @@ void addTrace(CLI::App& app, Options& options) {
         all->excludes(fixed);
         count->excludes(fixed);
     }
+    addKeepAll(app, options);
     addOutput(app, options);
 }
 
@@ -75,6 +76,7 @@ void addQuery(CLI::App& app, Options& options) {
         ->needs(nearest);
     addTime(app, options);
     addBuild(app, options, false);
+    addKeepAll(app, options);
     addOutput(app, options);
 }
 

@@ -11,7 +11,10 @@
 namespace cleave {
 
 struct Run {
-    explicit Run(const Options& asked) : options(asked), progress(asked.quiet), device(asked.device, asked.peers) {}
+    explicit Run(const Options& asked)
+        : options(asked),
+          progress(asked.quiet),
+          device(asked.device, asked.peers, asked.keep[static_cast<size_t>(Need::trails)]) {}
 
     void print(const std::string& text);  // to stdout, unless --quiet
     void warn(const std::string& text);   // to stderr, unless --quiet

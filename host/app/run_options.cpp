@@ -25,6 +25,11 @@ void addMachine(CLI::App& app, Options& options) {
     addWhole(app, "--threads", "threads of CPU work (2)", options.settings.threads, 1, 1024);
 }
 
+void addKeepAll(CLI::App& app, Options& options) {
+    app.add_flag_callback(
+        "--keep-all", [&options] { options.keep.set(); }, "leave nothing out that the scene has no need of");
+}
+
 void addTraversal(CLI::App& app, Options& options, bool several) {
     addNames(app, "--traversal", "how rays go (stack)", options.traversals, kTraversals, several);
     addNames(app, "--triangle-test", "how hits are decided", options.triangleTests, kTriangleTests, several);

@@ -9,6 +9,7 @@
 #include "base/warm_up.h"
 #include "facade/host_builders.h"
 #include "figures/timing.h"
+#include "scene/animation.h"
 #include "scene/camera.h"
 
 namespace cleave {
@@ -28,11 +29,15 @@ void buildOnHost(BuiltTree& built, const TriangleSet& set, const BuildSettings& 
 
 }  // namespace
 
-Session::Session(Run& run, const fs::path& file, Detail detail) : run_(run), detail_(detail) {
+Session::Session(Run& run, const fs::path& file, Detail detail)
+    : run_(run), settings_(run.options.settings), needs_(run.options.keep), detail_(detail) {
     const Options& options = run.options;
+    for (const Need need : {Need::xAxis, Need::yAxis, Need::zAxis, Need::largeNodes})
+        settings_.everything = settings_.everything || needs_.keeps(need);
+    const bool readsAll = needs_.keeps(Need::unusedMeshes) || needs_.keeps(Need::unusedBuffers);
     run_.progress.phase("loading " + oneLine(file.filename().string()));
     const Stopwatch loading;
-    scene_ = loadGltf(file);
+    scene_ = loadGltf(file, readsAll ? Reading::everything : Reading::shown);
     loadMs_ = loading.milliseconds();
     warnOnce(scene_.warnings);
     animations_ =
@@ -47,6 +52,22 @@ Session::Session(Run& run, const fs::path& file, Detail detail) : run_(run), det
         poseScene({});
         restBounds_ = bounds_;
     }
+    const bool played = (options.time || options.frames) && !animations_.empty();
+    if (!played && needs_.keeps(Need::animation)) readUnplayed();
+    findInScene(needs_, scene_, posed_, played);
+}
+
+// Their keys, for nothing.
+void Session::readUnplayed() const {
+    std::vector<NodeState> states = restStates(scene_);
+    Warnings ignored;
+    animate(scene_, {0.0, allAnimations(scene_)}, states, ignored);
+}
+
+Builder Session::chosenBuilder(bool showsTree) {
+    const Builder named = run_.options.builders.front();
+    if (named == Builder::gpu) findInBuild(needs_, set_, settings_.exactUpTo, !run_.options.namesBuilder && !showsTree);
+    return needs_.isLeftOut(Need::tree) ? Builder::brute : named;
 }
 
 void Session::poseAt(double seconds) { poseScene({seconds, animations_}); }
@@ -84,13 +105,15 @@ DeviceSurfaces Session::surfacesOnDevice(View view) {
     Device& device = run_.device.device();
     uint64_t most = device.largestAllocation();
     if (run_.options.settings.memory != 0) most = std::min(most, run_.options.settings.memory);
-    const SurfaceData data =
-        surfacesOf(scene_, posed_, view, most, [this](const std::string& warning) { run_.warn(warning); });
+    const SurfaceData data = surfacesOf(
+        scene_, posed_, view, most, [this](const std::string& warning) { run_.warn(warning); }, needs_);
     run_.progress.clear();
     return DeviceSurfaces(device, data);
 }
 
-void Session::moveSurfaces(DeviceSurfaces& surfaces) { surfaces.move(run_.device.device(), posedSurfaces(posed_)); }
+void Session::moveSurfaces(DeviceSurfaces& surfaces) {
+    surfaces.move(run_.device.device(), posedSurfaces(posed_, needs_));
+}
 
 void Session::buildOnDevice(BuiltTree& built, const BuildSettings& settings) {
     built.onDevice.reset();  // a second run must not need memory for two trees
@@ -131,7 +154,7 @@ void Session::finish(BuiltTree& built, const BuildSettings& settings) {
 
 BuiltTree Session::buildPlain(Builder builder) {
     BuiltTree built = prepared(builder);
-    buildOnce(built, run_.options.settings);
+    buildOnce(built, settings_);
     built.ms = medianOf(built.runs);
     run_.progress.clear();
     return built;

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "app/needs.h"
 #include "app/run.h"
 #include "figures/built_tree.h"
 #include "judge/oracle.h"
@@ -39,13 +40,19 @@ class Session {
     // Those that are played, by number.
     const std::vector<uint32_t>& animations() const { return animations_; }
 
+    // What the run does without; commands add what they find.
+    Needs& needs() { return needs_; }
+    const Needs& needs() const { return needs_; }
+    // The builder of the run; without a name, that of tiny scenes is none, where nobody is shown the tree.
+    Builder chosenBuilder(bool showsTree);
+
     // With the settings of the run where none are given.
-    BuiltTree build(Builder builder) { return build(builder, run_.options.settings); }
+    BuiltTree build(Builder builder) { return build(builder, settings_); }
     BuiltTree build(Builder builder, const BuildSettings& settings);
     // Only the tree and its time: neither statistics nor a hash, which take longer.
     BuiltTree buildPlain(Builder builder);
     // Builds the same tree `runs` times; on the device after a warm-up, and once more to see where the time goes.
-    BuiltTree buildTimed(Builder builder, uint32_t runs) { return buildTimed(builder, runs, run_.options.settings); }
+    BuiltTree buildTimed(Builder builder, uint32_t runs) { return buildTimed(builder, runs, settings_); }
     BuiltTree buildTimed(Builder builder, uint32_t runs, const BuildSettings& settings);
     // Only the milliseconds of each.
     std::vector<double> timeBuilds(Builder builder, uint32_t runs, const BuildSettings& settings);
@@ -63,6 +70,7 @@ class Session {
     CheckResult check(std::span<const Ray> rays, std::span<const Hit> hits, Query query, uint64_t count);
 
   private:
+    void readUnplayed() const;
     void poseScene(const PoseTime& time);
     void warnOnce(const std::vector<std::string>& warnings);
     BuiltTree prepared(Builder builder);
@@ -72,6 +80,8 @@ class Session {
     void finish(BuiltTree& built, const BuildSettings& settings);
 
     Run& run_;
+    BuildSettings settings_;
+    Needs needs_;
     Detail detail_;
     Scene scene_;
     std::vector<uint32_t> animations_;

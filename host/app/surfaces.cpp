@@ -48,6 +48,12 @@ class Texels {
 
     std::vector<uint32_t> take() { return std::move(all_); }
 
+    size_t unused() const { return scene_.images.size() - images_.size(); }
+    // Decodes them, too.
+    void addUnused() {
+        for (uint32_t i = 0; i < scene_.images.size(); ++i) image(i);
+    }
+
   private:
     Image decoded(uint32_t index) {
         const ImageFile file = readImageFile(scene_, index);
@@ -109,19 +115,38 @@ uint32_t sidesOf(const PosedScene& posed, size_t triangle) {
     return sides | (((sides & kMirrored) != 0 ? along > 0.0 : along < 0.0) ? kNoBack : 0u);
 }
 
+SurfaceData surfacesAsPosed(const PosedScene& posed) {
+    SurfaceData data;
+    data.surfaceOf = posed.materialOf;
+    for (size_t i = 0; i < posed.sides.size(); ++i) data.surfaceOf[i] |= sidesOf(posed, i);
+    data.normals = posed.corners.normals;
+    return data;
+}
+
 // Makes the materials of a scene, and the maps that they need.
 class Surfaces {
   public:
     Surfaces(const Scene& scene, const PosedScene& posed, View view, uint64_t mostBytes,
-             const std::function<void(const std::string&)>& warn)
-        : scene_(scene), posed_(posed), shown_(shownMaps(view)), texels_(scene, mostBytes, warn), warn_(warn) {}
+             const std::function<void(const std::string&)>& warn, Needs& needs)
+        : scene_(scene),
+          posed_(posed),
+          view_(view),
+          shown_(shownMaps(view)),
+          texels_(scene, mostBytes, warn),
+          warn_(warn),
+          needs_(needs) {}
 
     SurfaceData run() {
-        data_ = posedSurfaces(posed_);
+        data_ = surfacesAsPosed(posed_);
+        coloursHaveAlpha_ = std::ranges::any_of(posed_.corners.colours, [](const vec4& c) { return c.w < 1.0f; });
         std::vector<bool> used(scene_.materials.size());
         for (const uint32_t material : posed_.materialOf) used[material] = true;
         for (size_t i = 0; i < scene_.materials.size(); ++i) addMaterial(scene_.materials[i], used[i]);
         addCorners();
+        findInSurfaces(needs_, data_, view_);
+        keepInSurfaces(needs_, data_);
+        if (texels_.unused() > 0) needs_.leaveOut(Need::unusedImages, texels_.unused());
+        if (needs_.keeps(Need::unusedImages)) texels_.addUnused();
         data_.texels = texels_.take();
         return std::move(data_);
     }
@@ -151,7 +176,7 @@ class Surfaces {
 
     // A material that says that it is seen through, but has no alpha below 1, is opaque.
     uint32_t alphaFlags(const gltf::Material& m) {
-        const bool hasAlpha = m.baseColour.a < 1.0f || !posed_.corners.colours.empty() || textureHasAlpha(m);
+        const bool hasAlpha = m.baseColour.a < 1.0f || coloursHaveAlpha_ || textureHasAlpha(m);
         const bool isMask = m.alphaMode == gltf::AlphaMode::mask;
         if (isMask && (hasAlpha || m.alphaCutoff > 1.0f)) return kMaterialMask;
         return m.alphaMode == gltf::AlphaMode::blend && hasAlpha ? kMaterialBlend : 0u;
@@ -208,10 +233,13 @@ class Surfaces {
 
     const Scene& scene_;
     const PosedScene& posed_;
+    View view_;
     ShownMaps shown_;
     Texels texels_;
     const std::function<void(const std::string&)>& warn_;
-    std::set<uint32_t> unread_;   // textures without an image
+    Needs& needs_;
+    std::set<uint32_t> unread_;  // textures without an image
+    bool coloursHaveAlpha_ = false;
     std::set<uint32_t> alphaOf_;  // images that are not opaque everywhere
     SurfaceData data_;
 };
@@ -227,17 +255,15 @@ ShownMaps shownMaps(View view) {
     return shown;
 }
 
-SurfaceData posedSurfaces(const PosedScene& posed) {
-    SurfaceData data;
-    data.surfaceOf = posed.materialOf;
-    for (size_t i = 0; i < posed.sides.size(); ++i) data.surfaceOf[i] |= sidesOf(posed, i);
-    data.normals = posed.corners.normals;
+SurfaceData posedSurfaces(const PosedScene& posed, const Needs& needs) {
+    SurfaceData data = surfacesAsPosed(posed);
+    keepInSurfaces(needs, data);
     return data;
 }
 
 SurfaceData surfacesOf(const Scene& scene, const PosedScene& posed, View view, uint64_t mostBytes,
-                       const std::function<void(const std::string&)>& warn) {
-    return Surfaces(scene, posed, view, mostBytes, warn).run();
+                       const std::function<void(const std::string&)>& warn, Needs& needs) {
+    return Surfaces(scene, posed, view, mostBytes, warn, needs).run();
 }
 
 }  // namespace cleave

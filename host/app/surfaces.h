@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 
+#include "app/needs.h"
 #include "render/cmd_render.h"
 #include "scene/pose.h"
 
@@ -21,12 +22,12 @@ struct ShownMaps {
 ShownMaps shownMaps(View view);
 
 // Materials, maps and corners of a posed scene. Images are decoded once each, if a triangle shows them, and take at
-// most `mostBytes`. For an image that is missing, damaged or beyond that, `warn` gets a sentence; where it would show a
-// colour there are magenta checks.
+// most `mostBytes`. What they lack is noted as left out. For an image that is missing, damaged or beyond that, `warn`
+// gets a sentence; where it would show a colour there are magenta checks.
 SurfaceData surfacesOf(const Scene& scene, const PosedScene& posed, View view, uint64_t mostBytes,
-                       const std::function<void(const std::string&)>& warn);
+                       const std::function<void(const std::string&)>& warn, Needs& needs);
 
 // Only what differs between poses of a scene; see DeviceSurfaces::move.
-SurfaceData posedSurfaces(const PosedScene& posed);
+SurfaceData posedSurfaces(const PosedScene& posed, const Needs& needs);
 
 }  // namespace cleave

@@ -40,6 +40,11 @@ Capacity capacityOf(const BuildInfo& info) noexcept {
     return c;
 }
 
+PassChoice choiceOf(const BuildInfo& info) noexcept {
+    const bool large = info.everything || triangleCountOf(info) > info.exactUpTo;
+    return {large, large && info.snap};
+}
+
 BuildCounts countsOf(const BuildInfo& info) noexcept {
     const Capacity c = capacityOf(info);
     BuildCounts n;
@@ -113,6 +118,7 @@ BuildArgs buildArgs(const BuildInfo& info, VkDeviceAddress tree, const Range* sc
     a.subsample = info.subsample ? 1 : 0;
     a.snap = info.snap ? 1 : 0;
     a.row = row;
+    a.everything = info.everything ? 1 : 0;
     a.costs = {info.costTraverse, info.costIntersect, info.costLeaf, info.emptyBonus};
     a.invBinCount = 1.0f / static_cast<float>(info.bins);
     return a;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cleave/cleave.hpp"
+#include "core/build_passes.h"
 #include "record/placement.h"
 #include "shared/build.h"
 
@@ -25,6 +26,8 @@ uint64_t triangleCountOf(const BuildInfo& info) noexcept;
 // info.capacity with the defaults filled in, at least a reference per triangle.
 Capacity capacityOf(const BuildInfo& info) noexcept;
 BuildCounts countsOf(const BuildInfo& info) noexcept;
+// Which passes the build takes: with fewer triangles than a large node has references there is none.
+PassChoice choiceOf(const BuildInfo& info) noexcept;
 
 // Arguments, state and geometries are always in range 0.
 struct ScratchLayout {

@@ -21,9 +21,9 @@ namespace cleave {
 
 // Run on every level.
 #define CLEAVE_LEVEL_PASSES(ROW)                                   \
-    ROW(bounds, bounds, perChunk, narrow, 0, all)                  \
-    ROW(bin, bin, perChunk, narrow, 0, all)                        \
-    ROW(choose_split, chooseSplit, perChunk, narrow, 0, all)       \
+    ROW(bounds, bounds, perChunk, narrow, 0, large)                \
+    ROW(bin, bin, perChunk, narrow, 0, large)                      \
+    ROW(choose_split, chooseSplit, perChunk, narrow, 0, large)     \
     ROW(nearest, nearest, perChunk, narrow, 0, snapping)           \
     ROW(snap, snap, perChunkGroup, own, 0, snapping)               \
     ROW(exact_split, exactSplit, perRefBlock, wide, 0, all)        \
@@ -42,8 +42,14 @@ namespace cleave {
 // small one for kernels that need many registers, or whose lanes add to the same few counters.
 enum class Lanes { own, wide, narrow };
 
-// All builds, or those that move planes to faces.
-enum class Builds { all, snapping };
+// All builds, those that may have large nodes, or those of these that move planes to faces.
+enum class Builds { all, large, snapping };
+
+// What a build is of these.
+struct PassChoice {
+    bool large = true;
+    bool snapping = true;
+};
 
 struct BuildPass {
     const char* kernel;
@@ -52,7 +58,9 @@ struct BuildPass {
     uint32_t scans;
     Builds builds;
 
-    bool runs(bool snap) const { return builds == Builds::all || snap; }
+    bool runs(PassChoice choice) const {
+        return builds == Builds::all || (builds == Builds::large ? choice.large : choice.snapping);
+    }
 };
 
 #define CLEAVE_BUILD_PASS(kernel, twin, groups, lanes, scans, builds) \

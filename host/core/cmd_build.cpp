@@ -81,10 +81,11 @@ void cmdBuild(VkCommandBuffer commands, const Context& context, const BuildInfo&
     build.note("arguments");
     const Level input = levelOf(args.triangleCount, 1, 0, state.row);
     for (const BuildPass& pass : kSetupPasses) build.once(pass, input);
+    const PassChoice choice = choiceOf(info);
     const uint32_t maxDepth = depthLimit(info.maxDepth, args.triangleCount);
     for (uint32_t depth = 0; depth <= maxDepth; depth++)
         for (const BuildPass& pass : kLevelPasses)
-            if (pass.runs(info.snap)) build.onLevel(pass, depth);
+            if (pass.runs(choice)) build.onLevel(pass, depth);
     for (const BuildPass& pass : kLastPasses) build.once(pass, input);
 }
 

@@ -6,6 +6,11 @@
 
 namespace cleave {
 
+// Whether a dispatch may give up on a ray, for which a next one goes on. With a stack no node is visited twice.
+inline bool mayGoOn(const TraceMode& mode) noexcept {
+    return (mode.query == Query::closest || mode.query == Query::any) && mode.traversal != Traversal::stack;
+}
+
 inline TracePush tracePush(const TraceInfo& info) noexcept {
     constexpr uint32_t kDefaultStepLimit = 1u << 20;
     TracePush push{};

@@ -17,11 +17,12 @@ namespace cleave {
 struct Builder {
     std::string_view name;
     bool operator==(const Builder&) const = default;
-    static const Builder gpu, twin, exact;
+    static const Builder gpu, twin, exact, brute;
 };
 inline constexpr Builder Builder::gpu{"gpu"};
 inline constexpr Builder Builder::twin{"twin"};
 inline constexpr Builder Builder::exact{"exact"};
+inline constexpr Builder Builder::brute{"brute"};
 
 inline constexpr std::array<std::pair<const char*, AxisChoice>, 3> kAxes = {
     {{"all", AxisChoice::all}, {"widest", AxisChoice::widest}, {"cycle", AxisChoice::cycle}}};

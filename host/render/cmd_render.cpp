@@ -38,6 +38,9 @@ std::vector<PictureKernels::Pass> passesOf(View view) {
     return {P::camera_rays, P::shade, P::tone};
 }
 
+// A part that scenes may lack doubles the pipelines of a kernel, which a device may have to compile anew.
+static_assert(kPartVariants <= 8u);
+
 // The specialisation constants of lib/trace_main.glsl, which come first, do not concern the passes.
 std::vector<uint32_t> constantsOf(PictureKernels::Pass pass, const PictureInfo& info) {
     const bool seesSurfaces = pass == PictureKernels::path_scatter || pass == PictureKernels::shade;
@@ -46,7 +49,7 @@ std::vector<uint32_t> constantsOf(PictureKernels::Pass pass, const PictureInfo& 
 
 std::vector<uint32_t> alphaConstants(const TraceMode& mode, const PictureInfo& info) {
     return {mode.query == Query::any ? 1u : 0u, mode.countSteps ? 1u : 0u, static_cast<uint32_t>(mode.test),
-            info.surfaces.parts, static_cast<uint32_t>(mode.traversal)};
+            info.surfaces.parts & ~kPartNormals, static_cast<uint32_t>(mode.traversal)};
 }
 
 class PictureRecording {
@@ -60,7 +63,8 @@ class PictureRecording {
           scratch_(scratch),
           sample_(sample),
           slice_(slice),
-          counts_(pictureCounts(info.camera.width, info.camera.height, static_cast<uint32_t>(info.view), info.samples)),
+          counts_(pictureCounts(info.camera.width, info.camera.height, static_cast<uint32_t>(info.view), info.samples,
+                                info.parts())),
           at_(pictureLayout(counts_, info.largestRange)) {}
 
     void arguments() {
@@ -84,7 +88,7 @@ class PictureRecording {
     void scale() {
         zero(0, offsetof(PictureState, histogram));
         if (info_.view == View::depth) perRay(PictureKernels::depth_scale);
-        for (uint32_t round = 0; round < 4 && counts_.counted > 0; round++) {
+        for (uint32_t round = 0; round < 4 && countsSteps(info_.view); round++) {
             perRay(PictureKernels::count_histogram, round);
             pass(PictureKernels::select_count, round, 1);
         }
@@ -176,7 +180,7 @@ class PictureRecording {
         trace.tree = info_.tree;
         trace.rays = from<Ray>(rays, first);
         trace.hits = from<Hit>(hits, first);
-        trace.trails = from<Trail>(trails, first);
+        if (counts_.trails > 0) trace.trails = from<Trail>(trails, first);
         trace.count = slice_.count;
         trace.mode = mode;
         trace.stepLimit = info_.stepLimit;
@@ -233,6 +237,7 @@ void PictureKernels::make(const char* name, size_t pushBytes, std::vector<uint32
 
 void PictureKernels::prepare(const PictureInfo& info) {
     for (const Pass pass : passesOf(info.view)) make(kNames[pass], sizeof(PicturePush), constantsOf(pass, info));
+    if (info.kept.shadows) make(kNames[shadow_rays], sizeof(PicturePush), {});
     if (info.looksThrough(PictureRays::primary))
         make(kAlpha, sizeof(SurfaceTracePush), alphaConstants(info.primaryMode(), info));
     if (info.looksThrough(PictureRays::shadow))

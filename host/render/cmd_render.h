@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cleave/cleave.hpp"
+#include "core/trace_push.h"
 #include "record/recorder.h"
 #include "render/picture_layout.h"
 #include "render/surface_data.h"
@@ -60,6 +61,7 @@ struct PictureInfo {
     TriangleTest test = TriangleTest::watertight;
     VkDeviceSize largestRange = 0;  // as BuildInfo::largestRange
     uint32_t stepLimit = 0;         // as TraceInfo::stepLimit
+    PictureParts kept{};            // also what the picture does not need; it is the same
     // Called while recording, after each pass: for timestamps. The passes that trace are "trace", "trace shadows"
     // and, of paths, "trace bounces".
     void (*onPass)(void* user, const char* pass) = nullptr;
@@ -69,7 +71,14 @@ struct PictureInfo {
         const bool backs = surfaces.singleSided && rays == PictureRays::primary;
         return showsSurfaces(view) && (surfaces.hasAlpha || backs);
     }
-    TraceMode primaryMode() const { return {Query::closest, traversal, test, countsSteps(view)}; }
+    PictureParts parts() const {
+        PictureParts p = partsOf(static_cast<uint32_t>(view));
+        p.trails = kept.trails || mayGoOn({Query::closest, traversal, test, false});
+        p.steps = p.steps || kept.steps;
+        p.shadows = p.shadows || kept.shadows;
+        return p;
+    }
+    TraceMode primaryMode() const { return {Query::closest, traversal, test, parts().steps}; }
     TraceMode shadowMode() const { return {Query::any, traversal, test, false}; }
 };
 

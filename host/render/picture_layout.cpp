@@ -2,13 +2,20 @@
 
 namespace cleave {
 
-PictureCounts pictureCounts(uint32_t width, uint32_t height, uint32_t view, uint32_t samples) {
+PictureParts partsOf(uint32_t view) {
+    return {view == kViewSteps || view == kViewLeaves, isOfLight(view), view == kViewPath, true};
+}
+
+PictureCounts pictureCounts(uint32_t width, uint32_t height, uint32_t view, uint32_t samples,
+                            const PictureParts& parts) {
     PictureCounts n;
     n.pixels = uint64_t(width) * height;
-    n.counted = view == kViewSteps || view == kViewLeaves ? n.pixels : 0;
-    n.ofLight = isOfLight(view) ? n.pixels : 0;
-    n.shadowed = view == kViewShaded && samples > 1 ? 2 * n.pixels : n.ofLight;
-    n.walked = view == kViewPath ? n.pixels : 0;
+    n.trails = parts.trails ? n.pixels : 0;
+    n.counted = parts.steps ? n.pixels : 0;
+    n.shadowed = !parts.shadows ? 0 : view == kViewShaded && samples > 1 ? 2 * n.pixels : n.pixels;
+    n.shadowTrails = parts.trails ? n.shadowed : 0;
+    n.lit = isOfLight(view) ? n.pixels : 0;
+    n.walked = parts.paths ? n.pixels : 0;
     return n;
 }
 

@@ -6,15 +6,28 @@
 
 namespace cleave {
 
-// Entries of the arrays in CLEAVE_PICTURE_ARRAYS.
+// What not every picture needs.
+struct PictureParts {
+    bool steps = false;    // counted, of primary rays
+    bool shadows = false;  // their rays and hits
+    bool paths = false;
+    bool trails = false;  // for rays that may go on in a further dispatch
+};
+// What a view needs, with rays that may.
+PictureParts partsOf(uint32_t view);
+
+// Entries of the arrays in CLEAVE_PICTURE_ARRAYS: as many as there are pixels, or none, where nothing else is said.
 struct PictureCounts {
     uint64_t pixels = 0;
-    uint64_t counted = 0;   // pixels, in views of counts
-    uint64_t ofLight = 0;   // pixels, in the views of light
-    uint64_t shadowed = 0;  // shadow rays: one or two to a pixel, in the views of light
-    uint64_t walked = 0;    // pixels, in the view of paths
+    uint64_t trails = 0;
+    uint64_t counted = 0;
+    uint64_t shadowed = 0;  // shadow rays: one or two to a pixel
+    uint64_t shadowTrails = 0;
+    uint64_t lit = 0;
+    uint64_t walked = 0;
 };
-PictureCounts pictureCounts(uint32_t width, uint32_t height, uint32_t view, uint32_t samples);
+PictureCounts pictureCounts(uint32_t width, uint32_t height, uint32_t view, uint32_t samples,
+                            const PictureParts& parts);
 
 // Arguments and state are in range 0.
 struct PictureLayout {

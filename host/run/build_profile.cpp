@@ -34,7 +34,7 @@ void add(PassWork& work, const BuildPass& pass, const Level& level, double ms) {
 
 }  // namespace
 
-BuildProfile profileOf(std::span<const double> ms, const BuildState& state, uint32_t triangles, bool snap) {
+BuildProfile profileOf(std::span<const double> ms, const BuildState& state, uint32_t triangles, PassChoice choice) {
     BuildProfile profile;
     profile.nodes = state.nodesUsed;
     size_t next = 0;
@@ -43,14 +43,15 @@ BuildProfile profileOf(std::span<const double> ms, const BuildState& state, uint
     const Level input = levelOf(triangles, 1, 0, kLongestRow);
     for (const BuildPass& pass : kSetupPasses) add(workOf(profile.passes, pass.kernel), pass, input, take());
     // A build records as many levels as its triangles can need; the others cost an empty dispatch a pass.
-    const auto perLevel = static_cast<size_t>(std::count_if(std::begin(kLevelPasses), std::end(kLevelPasses),
-                                                            [snap](const BuildPass& pass) { return pass.runs(snap); }));
+    const auto perLevel =
+        static_cast<size_t>(std::count_if(std::begin(kLevelPasses), std::end(kLevelPasses),
+                                          [choice](const BuildPass& pass) { return pass.runs(choice); }));
     const size_t recorded = (ms.size() - next - std::size(kLastPasses)) / perLevel;
     for (size_t depth = 0; depth < recorded; depth++) {
         const Level& level = state.level[depth];
         LevelWork sum{level.refCount, level.nodeCount, 0.0};
         for (const BuildPass& pass : kLevelPasses) {
-            if (!pass.runs(snap)) continue;
+            if (!pass.runs(choice)) continue;
             const double time = take();
             add(workOf(profile.passes, pass.kernel), pass, level, time);
             sum.ms += time;

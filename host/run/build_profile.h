@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "shared/build.h"
+#include "core/build_passes.h"
 
 namespace cleave {
 
@@ -35,7 +35,7 @@ struct BuildProfile {
 };
 
 // `ms`: what the arguments took, then every pass that cmdBuild() recorded (BuildInfo::onPass), in that order. `state`:
-// as the build left it; `snap`: BuildInfo's.
-BuildProfile profileOf(std::span<const double> ms, const BuildState& state, uint32_t triangles, bool snap);
+// as the build left it; `choice`: of its passes.
+BuildProfile profileOf(std::span<const double> ms, const BuildState& state, uint32_t triangles, PassChoice choice);
 
 }  // namespace cleave

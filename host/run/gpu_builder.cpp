@@ -125,7 +125,7 @@ BuildProfile GpuBuilder::profile(const DeviceTriangles& triangles, const BuildSe
     BuildState state;
     const Place& at = scratchLayout(countsOf(info), info.largestRange).state;
     s.scratch.buffer(at.range).read(at.offset, &state, sizeof(state));
-    return profileOf(timed.stampMilliseconds(), state, header.triangleCount, info.snap);
+    return profileOf(timed.stampMilliseconds(), state, header.triangleCount, choiceOf(info));
 }
 
 }  // namespace cleave

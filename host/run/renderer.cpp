@@ -94,9 +94,9 @@ struct Renderer::State {
     }
 
     void reserve() {
-        at = pictureLayout(
-            pictureCounts(info.camera.width, info.camera.height, static_cast<uint32_t>(info.view), info.samples),
-            info.largestRange);
+        at = pictureLayout(pictureCounts(info.camera.width, info.camera.height, static_cast<uint32_t>(info.view),
+                                         info.samples, info.parts()),
+                           info.largestRange);
         if (!at.ranges.fits())
             throw Error("a picture of " + std::to_string(info.camera.width) + " x " +
                         std::to_string(info.camera.height) + " is too large for this device; make a smaller one");
@@ -209,11 +209,12 @@ void Renderer::begin(const DeviceTree& tree, const DeviceTriangles& triangles, c
     if (request.view == View::path) s.lightPaths(request);
     info.traversal = request.traversal;
     info.test = request.test;
+    info.kept = request.kept;
     info.largestRange = s.device.largestAllocation();
     info.stepLimit = s.limits.stepLimit;
     info.onPass = [](void* user, const char* pass) { static_cast<Commands*>(user)->stamp(pass); };
     info.user = &s.commands;
-    const bool shadows = request.view == View::shaded || lightChoices(info.settings) > 0;
+    const bool shadows = request.view == View::path ? lightChoices(info.settings) > 0 : info.parts().shadows;
     s.tracing = {};
     if (!info.looksThrough(PictureRays::primary) ||
         (info.view == View::path && !info.looksThrough(PictureRays::bounce)))

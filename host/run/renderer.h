@@ -49,6 +49,7 @@ struct PictureRequest {
     std::function<bool(uint32_t samples)> goesOn;
     Traversal traversal = Traversal::restart;
     TriangleTest test = TriangleTest::watertight;
+    PictureParts kept{};  // see PictureInfo
 };
 
 struct Picture {

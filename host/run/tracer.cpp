@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/warm_up.h"
+#include "core/trace_push.h"
 #include "gpu/commands.h"
 #include "run/context_of.h"
 #include "shared/trace.h"
@@ -51,14 +52,15 @@ struct Tracer::State {
                      uint32_t hitsPerRay = 1) {
         reserve(rays, batch.size_bytes());
         reserve(hits, batch.size() * hitsPerRay * sizeof(Hit));
-        reserve(trails, batch.size() * sizeof(Trail));
+        const bool goesOn = limits.keepsTrails || mayGoOn(mode);
+        if (goesOn) reserve(trails, batch.size() * sizeof(Trail));
         if (mode.countSteps) reserve(steps, batch.size() * sizeof(StepCount));
         rays.upload(batch);
         TraceInfo info;
         info.tree = tree.address();
         info.rays = rays.address();
         info.hits = hits.address();
-        info.trails = trails.address();
+        if (goesOn) info.trails = trails.address();
         info.count = static_cast<uint32_t>(batch.size());
         info.hitsPerRay = hitsPerRay;
         info.mode = mode;

@@ -17,6 +17,7 @@ struct TraceLimits {
     uint32_t stepLimit = 0;          // of one dispatch, as TraceInfo::stepLimit
     // Dispatches after which a ray is given up: with the default limit far more than any valid tree needs.
     uint32_t mostDispatches = 1024;
+    bool keepsTrails = false;  // also of rays that no dispatch gives up on
 };
 
 // The fastest where it was measured: on a CPU (lavapipe) and on an NVIDIA H200 (docs/speed.md, docs/nvidia.md).

@@ -10,10 +10,10 @@ constexpr size_t kBytesPerTriangle = 128;
 
 }  // namespace
 
-void decompress(Scene& scene, size_t mostTriangles) {
+void decompress(Scene& scene, const ShownParts& read, size_t mostTriangles) {
     DecompressionBudget budget{kBytesPerTriangle * mostTriangles};
-    decompressMeshopt(scene, budget);
-    decompressDraco(scene, budget);
+    decompressMeshopt(scene, read, budget);
+    decompressDraco(scene, read, budget);
 }
 
 void spend(DecompressionBudget& budget, size_t bytes, const std::string& where) {

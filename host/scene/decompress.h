@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "scene/scene.h"
+#include "scene/shown_parts.h"
 
 namespace cleave {
 
@@ -13,12 +13,12 @@ struct DecompressionBudget {
 };
 
 // Throws Error if compressed data is broken, does not match what the document says of it, or would become more than
-// `mostTriangles` have use for. What it is decompressed from may be missing; then it stays as it is.
-void decompress(Scene& scene, size_t mostTriangles);
+// `mostTriangles` have use for. Only what is to be read, and is there, is decompressed.
+void decompress(Scene& scene, const ShownParts& read, size_t mostTriangles);
 
 // The parts of decompress.
-void decompressMeshopt(Scene& scene, DecompressionBudget& budget);
-void decompressDraco(Scene& scene, DecompressionBudget& budget);
+void decompressMeshopt(Scene& scene, const ShownParts& read, DecompressionBudget& budget);
+void decompressDraco(Scene& scene, const ShownParts& read, DecompressionBudget& budget);
 
 // Throws Error if `bytes` are more than what is left; `where` names what asks for them.
 void spend(DecompressionBudget& budget, size_t bytes, const std::string& where);

@@ -68,8 +68,9 @@ void decompressPrimitive(Scene& scene, gltf::Primitive& primitive, Decompression
 
 }  // namespace
 
-void decompressDraco(Scene& scene, DecompressionBudget& budget) {
+void decompressDraco(Scene& scene, const ShownParts& read, DecompressionBudget& budget) {
     for (size_t m = 0; m < scene.meshes.size(); ++m) {
+        if (!read.meshes[m]) continue;
         std::vector<gltf::Primitive>& primitives = scene.meshes[m].primitives;
         for (size_t p = 0; p < primitives.size(); ++p)
             if (primitives[p].draco && hasBytesOfView(scene, primitives[p].draco->view))

@@ -58,10 +58,10 @@ Bytes decompressed(const gltf::Meshopt& meshopt, const Bytes& source, Decompress
 
 }  // namespace
 
-void decompressMeshopt(Scene& scene, DecompressionBudget& budget) {
+void decompressMeshopt(Scene& scene, const ShownParts& read, DecompressionBudget& budget) {
     for (size_t i = 0; i < scene.bufferViews.size(); ++i) {
         gltf::BufferView& view = scene.bufferViews[i];
-        if (!view.meshopt || scene.buffers[view.meshopt->buffer].bytes.empty()) continue;
+        if (!read.views[i] || !view.meshopt || scene.buffers[view.meshopt->buffer].bytes.empty()) continue;
         Bytes bytes =
             decompressed(*view.meshopt, scene.buffers[view.meshopt->buffer].bytes, budget, at("bufferViews", i));
         view.buffer = uint32_t(scene.buffers.size());

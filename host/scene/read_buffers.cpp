@@ -12,10 +12,13 @@ enum class Need { none, view, geometry };
 
 class Needs {
   public:
-    explicit Needs(const Scene& scene) : scene_(scene), needs_(scene.buffers.size(), Need::none) {
-        for (const gltf::BufferView& view : scene.bufferViews) needs_[bufferOf(view)] = Need::view;
-        for (const gltf::Mesh& mesh : scene.meshes)
-            for (const gltf::Primitive& primitive : mesh.primitives) addPrimitive(primitive);
+    Needs(const Scene& scene, const ShownParts& read) : scene_(scene), needs_(scene.buffers.size(), Need::none) {
+        for (size_t i = 0; i < scene.bufferViews.size(); ++i)
+            if (read.views[i]) needs_[payloadBuffer(scene.bufferViews[i])] = Need::view;
+        for (size_t i = 0; i < scene.meshes.size(); ++i) {
+            if (!read.meshes[i]) continue;
+            for (const gltf::Primitive& primitive : scene.meshes[i].primitives) addPrimitive(primitive);
+        }
         for (const gltf::Node& node : scene.nodes)
             if (node.instancing)
                 for (const gltf::Index accessor : accessorsOf(*node.instancing))
@@ -26,9 +29,7 @@ class Needs {
     Need operator[](size_t buffer) const { return needs_[buffer]; }
 
   private:
-    // A compressed view's own buffer, where there is one, is for those who cannot decompress it.
-    static uint32_t bufferOf(const gltf::BufferView& view) { return view.meshopt ? view.meshopt->buffer : view.buffer; }
-    void addView(uint32_t view) { needs_[bufferOf(scene_.bufferViews[view])] = Need::geometry; }
+    void addView(uint32_t view) { needs_[payloadBuffer(scene_.bufferViews[view])] = Need::geometry; }
     void addAccessor(uint32_t index) {
         const gltf::Accessor& accessor = scene_.accessors[index];
         if (accessor.view) addView(*accessor.view);
@@ -75,8 +76,8 @@ void checkUri(const GltfFile& file, size_t index) {
 
 }  // namespace
 
-void readBuffers(GltfFile& file, Scene& scene, Warnings& warnings) {
-    const Needs needs(scene);
+void readBuffers(GltfFile& file, Scene& scene, const ShownParts& read, Warnings& warnings) {
+    const Needs needs(scene, read);
     for (size_t i = 0; i < scene.buffers.size(); ++i) {
         gltf::Buffer& buffer = scene.buffers[i];
         const bool hasUri = file.document["buffers"][i].contains("uri");

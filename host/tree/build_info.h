@@ -23,6 +23,7 @@ inline BuildInfo buildInfo(const BuildSettings& settings) {
     info.clip = settings.clip;
     info.subsample = settings.subsample;
     info.snap = settings.snap;
+    info.everything = settings.everything;
     return info;
 }
 

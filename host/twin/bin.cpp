@@ -10,6 +10,7 @@ void bin(BuildArrays& a, uint32_t depth) {
         const uint32_t step = sampleStep(node.count, a.args.subsample != 0);
         for (uint32_t axis = 0; axis < 3; axis++) {
             const BinRange range = rangeOf(a, slot, axis);
+            if (!isBinned(range, a.args.everything != 0)) continue;
             uint32_t* starts = &a.bins[slot * kBinWords + 2 * axis * kBins];
             uint32_t* ends = starts + kBins;
             for (uint32_t i = chunk.first; i < chunk.first + chunk.count; i++) {

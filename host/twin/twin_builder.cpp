@@ -1,6 +1,7 @@
 #include "twin/twin_builder.h"
 
 #include "base/error.h"
+#include "core/build_layout.h"
 #include "core/capacity.h"
 #include "tree/build_info.h"
 #include "twin/passes.h"
@@ -18,7 +19,7 @@ BuildArrays built(const TriangleSet& set, const BuildInfo& info) {
         if (pass.run != twin::findScale) pass.run(a, 0);
     for (uint32_t depth = 0; depth <= a.state.maxDepth && a.state.level[depth].nodeCount > 0; depth++)
         for (const twin::Pass& pass : twin::levelPasses())
-            if (pass.row.runs(info.snap)) pass.run(a, depth);
+            if (pass.row.runs(choiceOf(info))) pass.run(a, depth);
     for (const twin::Pass& pass : twin::lastPasses()) pass.run(a, 0);
     return a;
 }

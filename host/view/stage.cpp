@@ -39,6 +39,7 @@ struct Stage::Workshop {
 
     Stage& stage;
     DeviceKit kit;
+    Needs needs;  // nothing is kept that a scene does not need
     std::shared_ptr<const StagedPose> uploadedOf;  // whose triangles are on the device
     std::unique_ptr<DeviceTriangles> triangles;
 
@@ -66,7 +67,7 @@ struct Stage::Workshop {
         made->posed = pose(loaded.scene, at, kMostTriangles, Detail::corners);
         made->poseMs = watch.milliseconds();
         made->set = makeTriangleSet(made->posed.triangles);
-        made->moved = posedSurfaces(made->posed);
+        made->moved = posedSurfaces(made->posed, needs);
         made->lighting = lightingOf(loaded.scene, made->posed);
         made->bounds = finiteBounds(made->posed.triangles);
         made->movingTriangles = countMoving(made->posed, loaded.movingNodes);
@@ -79,7 +80,7 @@ struct Stage::Workshop {
         if (wish.settings.memory != 0) most = std::min(most, wish.settings.memory);
         const auto warn = [&](const std::string& warning) { next.warnings.push_back(warning); };
         next.surfaces =
-            std::make_shared<SurfaceData>(surfacesOf(next.scene->scene, next.geometry->posed, wish.view, most, warn));
+            std::make_shared<SurfaceData>(surfacesOf(next.scene->scene, next.geometry->posed, wish.view, most, warn, needs));
         next.surfacesOf = wish.view;
     }
 

@@ -23,6 +23,7 @@ void main() {
     for (uint k = first + i * step; k < chunk.count; k += gl_WorkGroupSize.x * step) {
         PrimRef r = refs.at[chunk.first + k];
         for (uint axis = 0u; axis < 3u; axis++) {
+            if (!isBinned(ranges[axis], args.everything != 0u)) continue;
             uint base = 2u * axis * kBins;
             atomicAdd(counters[base + startBin(ranges[axis], r.lo[axis], r.hi[axis])], 1u);
             atomicAdd(counters[base + kBins + endBin(ranges[axis], r.hi[axis])], 1u);

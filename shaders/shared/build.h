@@ -221,8 +221,10 @@ struct BuildArgs {
     uint row;        // the most workgroups in a row of a dispatch
     float invBinCount;
     SahCosts costs;
+    uint everything;  // 1: bins are counted also where a node is flat
+    uint reserved;
 };
-CLEAVE_SIZE(BuildArgs, 240);
+CLEAVE_SIZE(BuildArgs, 248);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) buffer BuildArgsRef { BuildArgs at; };
@@ -341,6 +343,9 @@ CLEAVE_FN BinRange binRange(float lo, float hi, uint count, float invCount) {
 CLEAVE_FN bool isResolved(BinRange r) {
     return r.width >= kSmallestNormal && r.lo + r.width > r.lo && r.hi - r.width < r.hi;
 }
+
+// Whether references are counted on an axis: where only the ends are candidates, nobody asks for the counts.
+CLEAVE_FN bool isBinned(BinRange r, bool everything) { return everything || isResolved(r); }
 
 // The plane between bin b - 1 and bin b, for 1 <= b < count; for 0 and `count` the ends of the range.
 CLEAVE_FN float binPlane(BinRange r, uint b) {

@@ -13,18 +13,18 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) buffer PictureState
 #define CLEAVE_PICTURE_ARRAYS(ROW)                                                                  \
     ROW(rays, Ray, RayArray, n.pixels)                                                              \
     ROW(hits, Hit, HitArray, n.pixels)                                                              \
-    ROW(trails, Trail, TrailArray, n.pixels)                                                        \
+    ROW(trails, Trail, TrailArray, n.trails)                                                        \
     ROW(steps, StepCount, StepCountArray, n.counted) /* for the views of counts only */             \
     ROW(shadowRays, Ray, RayArray, n.shadowed)       /* for the views of light only */              \
     ROW(shadowHits, Hit, HitArray, n.shadowed)                                                      \
-    ROW(shadowTrails, Trail, TrailArray, n.shadowed)                                                \
+    ROW(shadowTrails, Trail, TrailArray, n.shadowTrails)                                            \
     ROW(paths, uint, NumberArray, n.walked)       /* the ray's: which, from the first bounce on */  \
     ROW(throughput, vec3, Vec3Array, n.walked)    /* of the path that the ray goes on with */       \
     ROW(density, float, FloatArray, n.walked)     /* of its direction */                            \
     ROW(shadowPaths, uint, NumberArray, n.walked) /* the shadow ray's */                            \
     ROW(direct, vec3, Vec3Array, n.walked)        /* what a path finds if its shadow ray is free */ \
     ROW(radiance, vec3, Vec3Array, n.pixels)      /* the sum of all samples, or of colours */       \
-    ROW(unlit, vec4, Vec4Array, n.ofLight)        /* that of samples of unlit surfaces; how many */ \
+    ROW(unlit, vec4, Vec4Array, n.lit)            /* that of samples of unlit surfaces; how many */ \
     ROW(pixels, uint, UintArray, n.pixels)        /* R | G << 8 | B << 16 | A << 24, sRGB, row by row */
 
 #define CLEAVE_PICTURE_FIELD(name, Element, Array, count) CLEAVE_ADDRESS(Array) name;

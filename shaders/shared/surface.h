@@ -128,14 +128,13 @@ CLEAVE_FN SmoothNormal smoothNormal(SurfaceArrays s, uint parts, Hit hit, Triang
     vec3 across = unitOr(t.b - t.a, facing);
     vec3 along = unitOr(t.c - t.a, facing);
     vec3 own = preciseCross(across, along);
-    if ((parts & kPartNormals) != 0u) {
-        uint corner = 3u * hit.prim;
-        vec3 a = s.normals.at[corner];
+    uint corner = 3u * hit.prim;
+    vec3 a = vec3(0.0f, 0.0f, 0.0f);
+    if ((parts & kPartNormals) != 0u) a = s.normals.at[corner];
+    if (largestComponent(a) > 0.0f) {
         own = unitOr(a + (s.normals.at[corner + 1u] - a) * hit.u + (s.normals.at[corner + 2u] - a) * hit.v, own);
         r.front = dotOf(own, facing) >= 0.0f;
         r.normal = r.front ? own : own * -1.0f;
-        // Where corners have none it is the triangle's own.
-        if (!(largestComponent(a) > 0.0f)) r.normal = facing;
         return r;
     }
     r.front = (dotOf(own, facing) >= 0.0f) == ((s.surfaceOf.at[hit.prim] & kMirrored) == 0u);

@@ -28,6 +28,7 @@ std::string texturedScene(const std::string& material, const std::string& rest) 
 struct Loaded {
     SurfaceData data;
     std::vector<std::string> warnings;
+    Needs needs;
 
     Material material() const { return data.materials.at(0); }
     TextureMap map(uint32_t number) const { return data.maps.at(number); }
@@ -47,8 +48,9 @@ class SurfacesTest : public testing::Test {
         put(folder / "scene.gltf", texturedScene(material, rest));
         const Scene scene = loadGltf(folder / "scene.gltf");
         Loaded loaded;
-        loaded.data = surfacesOf(scene, pose(scene, {}, kMostTriangles, Detail::corners), view, mostBytes,
-                                 [&](const std::string& w) { loaded.warnings.push_back(w); });
+        loaded.data = surfacesOf(
+            scene, pose(scene, {}, kMostTriangles, Detail::corners), view, mostBytes,
+            [&](const std::string& w) { loaded.warnings.push_back(w); }, loaded.needs);
         return loaded;
     }
 };
@@ -150,7 +152,10 @@ TEST_F(SurfacesTest, NormalsThatContradictTheWindingMakeATriangleTwoSided) {
     const auto surface = [&](const vec3& normal, bool mirrored) {
         posed.corners.normals.assign(3, normal);
         posed.sides = {mirrored ? kMirrored : 0u};
-        return surfacesOf(scene, posed, View::path, kEnough, [](const std::string&) {}).surfaceOf.at(0);
+        Needs needs;
+        return surfacesOf(
+                   scene, posed, View::path, kEnough, [](const std::string&) {}, needs)
+            .surfaceOf.at(0);
     };
     EXPECT_EQ(surface({0, 0, 1}, false), 0u);
     EXPECT_EQ(surface({0, 0, -1}, false), kNoBack);

@@ -124,9 +124,10 @@ inline Document triangleDocument() {
     return document;
 }
 
-inline Scene sceneOf(const std::string& text, const std::string& name = "scene.gltf") {
+inline Scene sceneOf(const std::string& text, const std::string& name = "scene.gltf",
+                     Reading reading = Reading::shown) {
     const Folder folder;
-    return loadGltf(folder.write(name, text));
+    return loadGltf(folder.write(name, text), reading);
 }
 inline Scene sceneOf(const Document& document) { return sceneOf(document.text()); }
 

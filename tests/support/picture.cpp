@@ -121,7 +121,7 @@ PicturePair::PicturePair(uint32_t width, uint32_t height, View view, uint32_t se
         if (steps)
             arrays.steps.push_back({below(1u << (8 * (1 + i % 4) - 1)), below(10), below(30), 0, below(70000), 0});
     }
-    const PictureCounts counts = pictureCounts(width, height, arrays.view, samples);
+    const PictureCounts counts = pictureCounts(width, height, arrays.view, samples, partsOf(arrays.view));
     for (uint64_t i = 0; i < counts.shadowed; i++) {
         arrays.shadowHits.push_back(unit(random) < 0.5f ? arrays.hits[i % pixels] : missedHit());
         arrays.shadowRays.push_back(

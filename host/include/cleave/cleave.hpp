@@ -25,7 +25,7 @@ namespace cleave {
 
 // Versions of this interface, of the bytes of a tree, and of the answers: the last is raised whenever a bit of a hit
 // may change.
-inline constexpr uint32_t kApiVersion = 5;
+inline constexpr uint32_t kApiVersion = 6;
 inline constexpr uint32_t kTreeFormat = 2;
 inline constexpr uint32_t kAnswersVersion = 2;
 
@@ -145,6 +145,9 @@ struct BuildInfo {
     // The largest range of memory that the caller can give, e.g. maxMemoryAllocationSize; 0: any. Scratch that is
     // larger comes in several ranges. The tree and the largest scratch array must fit in one.
     VkDeviceSize largestRange = 0;
+    // Does also what cannot matter, to show what leaving it out saves: passes for large nodes where there are too few
+    // triangles for one, and bins of axes on which a node is flat. The tree is the same.
+    bool everything = false;
 
     // Called while recording, before the first pass and after each: for timestamps and labels.
     void (*onPass)(void* user, VkCommandBuffer commands, const char* pass) = nullptr;
