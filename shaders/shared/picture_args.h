@@ -45,7 +45,7 @@ struct PictureArgs {
     uint samples;  // of a pixel; a single one is at its centre
     float exposure;
     PathSettings settings;
-    uint reserved;
+    uint parts;  // that the scene has: kPartNormals and so on
 };
 CLEAVE_SIZE(PictureArgs, 416);
 
