@@ -77,8 +77,9 @@ void findInTracing(Needs& needs, const TraceMode& mode) {
     if (!mayGoOn(mode)) needs.leaveOut(Need::trails, "no ray goes on in a further dispatch");
 }
 
-void findInPicture(Needs& needs, View view) {
+void findInPicture(Needs& needs, View view, const Emitters& emitters) {
     if (!partsOf(static_cast<uint32_t>(view)).shadows) needs.leaveOut(Need::shadows, "the view has none");
+    if (view == View::path && emitters.slots == 0) needs.leaveOut(Need::emitters, "no surface shines");
     if (!countsSteps(view)) needs.leaveOut(Need::stepCounters, "the view shows none");
 }
 

@@ -20,6 +20,7 @@ namespace cleave {
     ROW(normals, "normals")              \
     ROW(alphaTest, "alpha test")         \
     ROW(backFaces, "back faces")         \
+    ROW(emitters, "emitters")            \
     ROW(animation, "animation")          \
     ROW(xAxis, "x axis")                 \
     ROW(yAxis, "y axis")                 \
@@ -79,7 +80,7 @@ void findInSurfaces(Needs& needs, const SurfaceData& surfaces, View view);
 void findInBuild(Needs& needs, const TriangleSet& set, uint32_t exactUpTo, bool mayDoWithout);
 // What closest and any hits have no need of, and what those of a picture have not.
 void findInTracing(Needs& needs, const TraceMode& mode);
-void findInPicture(Needs& needs, View view);
+void findInPicture(Needs& needs, View view, const Emitters& emitters);
 
 // Puts back into surfaces what they lack and is kept all the same. Pictures stay as they are.
 void keepInSurfaces(const Needs& needs, SurfaceData& surfaces);

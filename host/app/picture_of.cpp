@@ -35,9 +35,10 @@ PictureRequest requestOf(Run& run, Session& session) {
     request.test = options.triangleTests.front();
     Needs& needs = session.needs();
     findInTracing(needs, {Query::closest, request.traversal, request.test, false});
-    findInPicture(needs, options.view);
+    findInPicture(needs, options.view, request.lighting.emitters);
     request.kept.steps = needs.keeps(Need::stepCounters);
     request.kept.shadows = needs.keeps(Need::shadows);
+    request.kept.emitters = needs.keeps(Need::emitters);
     request.kept.trails = needs.keeps(Need::trails);
     return request;
 }

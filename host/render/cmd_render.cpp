@@ -43,8 +43,12 @@ static_assert(kPartVariants <= 8u);
 
 // The specialisation constants of lib/trace_main.glsl, which come first, do not concern the passes.
 std::vector<uint32_t> constantsOf(PictureKernels::Pass pass, const PictureInfo& info) {
-    const bool seesSurfaces = pass == PictureKernels::path_scatter || pass == PictureKernels::shade;
-    return seesSurfaces ? std::vector<uint32_t>{0, 0, 0, info.surfaces.parts} : std::vector<uint32_t>{};
+    const uint32_t parts = info.surfaces.parts;
+    if (pass == PictureKernels::shade) return {0, 0, 0, parts};
+    if (pass != PictureKernels::path_scatter) return {};
+    constexpr uint32_t kOfCorners = kPartNormals | kPartColours;
+    const uint32_t compiled = (parts & kOfCorners) != 0 ? parts | kOfCorners : parts;
+    return {0, 0, 0, compiled, info.parts().emitters ? 1u : 0u};
 }
 
 std::vector<uint32_t> alphaConstants(const TraceMode& mode, const PictureInfo& info) {
@@ -212,6 +216,7 @@ PictureArgs pictureArgs(const PictureInfo& info, const PictureLayout& at, const 
     a.exposure = info.exposure;
     a.settings = info.settings;
     a.ambientReach = info.ambientReach;
+    a.parts = info.surfaces.parts;
     return a;
 }
 

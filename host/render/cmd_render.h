@@ -76,6 +76,7 @@ struct PictureInfo {
         p.trails = kept.trails || mayGoOn({Query::closest, traversal, test, false});
         p.steps = p.steps || kept.steps;
         p.shadows = p.shadows || kept.shadows;
+        p.emitters = kept.emitters || settings.emitters.slots > 0;
         return p;
     }
     TraceMode primaryMode() const { return {Query::closest, traversal, test, parts().steps}; }

@@ -3,7 +3,7 @@
 namespace cleave {
 
 PictureParts partsOf(uint32_t view) {
-    return {view == kViewSteps || view == kViewLeaves, isOfLight(view), view == kViewPath, true};
+    return {view == kViewSteps || view == kViewLeaves, isOfLight(view), view == kViewPath, true, false};
 }
 
 PictureCounts pictureCounts(uint32_t width, uint32_t height, uint32_t view, uint32_t samples,

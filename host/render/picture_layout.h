@@ -11,7 +11,8 @@ struct PictureParts {
     bool steps = false;    // counted, of primary rays
     bool shadows = false;  // their rays and hits
     bool paths = false;
-    bool trails = false;  // for rays that may go on in a further dispatch
+    bool trails = false;    // for rays that may go on in a further dispatch
+    bool emitters = false;  // surfaces that paths look for as lights
 };
 // What a view needs, with rays that may.
 PictureParts partsOf(uint32_t view);

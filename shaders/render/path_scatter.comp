@@ -6,6 +6,10 @@
 #include "lib/packed_place.glsl"
 
 layout(local_size_x = kGroup) in;
+layout(constant_id = 4) const bool kEmitters = true;  // some surfaces shine
+
+// Of normals and colours this kernel has both or neither, so that there are not too many of it.
+uint parts() { return kParts & args.parts; }
 
 Emitter emitterOf(TriangleChoice choice) {
     Hit point;
@@ -13,14 +17,14 @@ Emitter emitterOf(TriangleChoice choice) {
     point.prim = triangleOf(args.emitters.at[choice.slot], choice.u);
     point.u = choice.at.x;
     point.v = choice.at.y;
-    return emitterAt(surfaceArrays(), kParts, point, args.triangles.at[point.prim], hitTriangle(point));
+    return emitterAt(surfaceArrays(), parts(), point, args.triangles.at[point.prim], hitTriangle(point));
 }
 
 ChosenLight lightFor(uint pixel) {
     ChosenLight light;
     if (lightChoices(args.settings) == 0u) return light;
     uint index = lightOf(args.settings, pixel, push.path, push.round);
-    light.isSurface = index == args.settings.lightCount;
+    light.isSurface = kEmitters && index == args.settings.lightCount;
     if (light.isSurface)
         light.emitter = emitterOf(triangleChoice(args.settings, pixel, push.path, push.round));
     else
@@ -31,7 +35,7 @@ ChosenLight lightFor(uint pixel) {
 PathStep stepOf(uint path, Hit hit, Ray ray, vec3 throughput, float density) {
     if (hit.prim == kNone) return escape(args.settings, ray, throughput);
     uint pixel = pixelOf(path, args.camera.width, args.camera.height);
-    HitSurface point = hitSurface(surfaceArrays(), kParts, hit, hitTriangle(hit), ray.direction);
+    HitSurface point = hitSurface(surfaceArrays(), parts(), hit, hitTriangle(hit), ray.direction);
     return scatter(args.settings, args.albedo, ray, hit, args.triangles.at[hit.prim], point, lightFor(pixel), throughput,
                    density, pixel, push.path, push.round);
 }

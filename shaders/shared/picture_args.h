@@ -46,8 +46,10 @@ struct PictureArgs {
     float exposure;
     PathSettings settings;
     float ambientReach;  // of the view `shaded`: what is farther from a surface takes no light from around it
+    uint parts;          // that the scene has: kPartNormals and so on
+    uint reserved;
 };
-CLEAVE_SIZE(PictureArgs, 416);
+CLEAVE_SIZE(PictureArgs, 424);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) buffer PictureArgsRef { PictureArgs at; };
