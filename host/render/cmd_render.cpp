@@ -85,7 +85,7 @@ class PictureRecording {
         TraceInfo trace = traced(at_.rays, at_.hits, at_.trails, slice_.first, info_.primaryMode(), resumes);
         trace.counters = address(at_.state) + offsetof(PictureState, primary);
         if (counts_.counted > 0) trace.steps = from<StepCount>(at_.steps, slice_.first);
-        hits(bounce_ == 0 ? PictureRays::primary : PictureRays::bounce, tracing_.primary, trace, slice_.first);
+        hits(bounce_ == 0 ? PictureRays::primary : PictureRays::bounce, tracing_.primary, trace);
         note(bounce_ == 0 ? "trace" : "trace bounces");
     }
 
@@ -111,7 +111,7 @@ class PictureRecording {
             TraceInfo trace =
                 traced(at_.shadowRays, at_.shadowHits, at_.shadowTrails, first, info_.shadowMode(), resumes);
             trace.counters = address(at_.state) + offsetof(PictureState, shadow);
-            hits(PictureRays::shadow, tracing_.shadow, trace, first);
+            hits(PictureRays::shadow, tracing_.shadow, trace);
         }
         note("trace shadows");
     }
@@ -168,10 +168,9 @@ class PictureRecording {
     void zero(size_t offset, size_t bytes) {
         recorder_.fillZero(scratch_[0].buffer, scratch_[0].offset + at_.state.offset + offset, bytes);
     }
-    void hits(PictureRays rays, const Context* context, const TraceInfo& trace, uint32_t first) {
+    void hits(PictureRays rays, const Context* context, const TraceInfo& trace) {
         if (info_.looksThrough(rays)) {
-            SurfaceTracePush all{tracePush(trace), push(bounce_)};
-            all.picture.first = first;
+            const SurfaceTracePush all{tracePush(trace), push(bounce_)};
             recorder_.dispatch(kernels_.ofAlpha(trace.mode, info_), all, ceilDiv(trace.count, kGroup));
             return;
         }

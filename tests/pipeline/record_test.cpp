@@ -482,32 +482,37 @@ TEST(Record, PicturesAreTheSameInSlices) {
     const DeviceTriangles triangles(device(), small.world);
     const auto tree =
         uploadTree(device(), makeTriangleSet(small.world), buildExact(makeTriangleSet(small.world), BuildSettings{}));
-    const DeviceSurfaces surfaces(device(), small.data);
+    SurfaceData blended = small.data;
+    blended.materials[0].baseColour.w = 0.5f;
+    blended.materials[0].flags = kMaterialBlend;
+    blended.hasAlpha = true;
+    const DeviceSurfaces opaque(device(), small.data), seenThrough(device(), blended);
     Tracer tracer(device());
     const size_t strip = size_t{8} * request.camera.width;
     Renderer whole(device(), tracer), sliced(device(), tracer, {.batch = 2 * strip + 1});
-    for (const View view : {View::shaded, View::path, View::normals, View::depth, View::steps, View::leaves}) {
-        request.view = view;
-        request.samples = takesSamples(view) ? 3 : 1;
-        const Picture want = whole.render(*tree, triangles, surfaces, request);
-        sliced.begin(*tree, triangles, surfaces, request);
-        uint32_t slices = 0;
-        while (sliced.samplesTaken() < request.samples) {
-            slices++;
-            if (sliced.takeSlice()) continue;
-            EXPECT_EQ(sliced.rowsTaken() % 16, 0u);
-            if (sliced.samplesTaken() == 0 && request.samples == 1) {
-                const Picture part = sliced.show();
-                const auto rows = static_cast<ptrdiff_t>(size_t{sliced.rowsTaken()} * part.width);
-                EXPECT_TRUE(std::equal(part.pixels.begin(), part.pixels.begin() + rows, want.pixels.begin()));
+    for (const DeviceSurfaces* surfaces : {&opaque, &seenThrough})
+        for (const View view : {View::shaded, View::path, View::normals, View::depth, View::steps, View::leaves}) {
+            request.view = view;
+            request.samples = takesSamples(view) ? 3 : 1;
+            const Picture want = whole.render(*tree, triangles, *surfaces, request);
+            sliced.begin(*tree, triangles, *surfaces, request);
+            uint32_t slices = 0;
+            while (sliced.samplesTaken() < request.samples) {
+                slices++;
+                if (sliced.takeSlice()) continue;
+                EXPECT_EQ(sliced.rowsTaken() % 16, 0u);
+                if (sliced.samplesTaken() == 0 && request.samples == 1) {
+                    const Picture part = sliced.show();
+                    const auto rows = static_cast<ptrdiff_t>(size_t{sliced.rowsTaken()} * part.width);
+                    EXPECT_TRUE(std::equal(part.pixels.begin(), part.pixels.begin() + rows, want.pixels.begin()));
+                }
             }
+            EXPECT_EQ(slices, hasScale(view) ? 1 : request.samples * ((request.camera.height + 15) / 16));
+            const Picture got = sliced.show();
+            EXPECT_EQ(got.pixels, want.pixels);
+            EXPECT_EQ(got.samples, want.samples);
+            EXPECT_EQ(got.scaleHigh, want.scaleHigh);
         }
-        EXPECT_EQ(slices, hasScale(view) ? 1 : request.samples * ((request.camera.height + 15) / 16));
-        const Picture got = sliced.show();
-        EXPECT_EQ(got.pixels, want.pixels);
-        EXPECT_EQ(got.samples, want.samples);
-        EXPECT_EQ(got.scaleHigh, want.scaleHigh);
-    }
 }
 
 // A picture whose rays take many dispatches is the picture.
