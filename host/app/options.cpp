@@ -228,6 +228,13 @@ CLI::Option* addTime(CLI::App& app, Options& options) {
     return time;
 }
 
+// After addBuild(): a saved tree has been built.
+void addTree(CLI::App& app, Options& options) {
+    app.add_option("--tree", options.tree, "walk a tree that info --save-tree kept, instead of building one")
+        ->type_name("FILE")
+        ->excludes("--builder");
+}
+
 // The parts of a range of frames, which are given in any order.
 FrameRange& framesOf(Options& options) {
     if (!options.frames) options.frames.emplace();
@@ -304,6 +311,8 @@ void addRender(CLI::App& app, Options& options) {
         [&options](double s) { options.timeLimit = s; }, "a number of seconds above 0");
     addFrames(app, options, addTime(app, options));
     addBuild(app, options, false);
+    addTree(app, options);
+    app.get_option("--tree")->excludes("--frames");
     addTraversal(app, options, false);
     addOutput(app, options);
 }
@@ -334,6 +343,7 @@ void addTrace(CLI::App& app, Options& options) {
         ->needs(count);
     addTime(app, options);
     addBuild(app, options, false);
+    addTree(app, options);
     addTraversal(app, options, false);
     CLI::Option* const own[] = {any, all, count};
     for (CLI::Option* one : own)
@@ -373,6 +383,7 @@ void addQuery(CLI::App& app, Options& options) {
         ->needs(nearest);
     addTime(app, options);
     addBuild(app, options, false);
+    addTree(app, options);
     addOutput(app, options);
 }
 
@@ -381,6 +392,8 @@ void addInfo(CLI::App& app, Options& options) {
     app.add_flag("--validate", options.validate, "check the tree against its triangles");
     addTime(app, options);
     addBuild(app, options, false);
+    addTree(app, options);
+    app.add_option("--save-tree", options.saveTree, "keep the tree in this file, for --tree")->type_name("FILE");
     addOutput(app, options);
 }
 

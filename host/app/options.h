@@ -48,6 +48,8 @@ struct Options {
 
     std::vector<Builder> builders{Builder::gpu};  // bench: several; stability: empty means all
     BuildSettings settings;
+    std::optional<std::filesystem::path> tree;      // a saved one, instead of building
+    std::optional<std::filesystem::path> saveTree;  // info: where to keep what was built
     std::string device;
     uint64_t check = 0;  // rays of a run to be judged
     bool validate = false;

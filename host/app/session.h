@@ -39,7 +39,7 @@ class Session {
     // Those that are played, by number.
     const std::vector<uint32_t>& animations() const { return animations_; }
 
-    // With the settings of the run where none are given.
+    // With the settings of the run where none are given. Where the run names a saved tree, that one, loaded.
     BuiltTree build(Builder builder) { return build(builder, run_.options.settings); }
     BuiltTree build(Builder builder, const BuildSettings& settings);
     // Only the tree and its time: neither statistics nor a hash, which take longer.
@@ -67,6 +67,7 @@ class Session {
     void warnOnce(const std::vector<std::string>& warnings);
     BuiltTree prepared(Builder builder);
     void buildOnDevice(BuiltTree& built, const BuildSettings& settings);
+    void loadSaved(BuiltTree& built);
     void buildOnce(BuiltTree& built, const BuildSettings& settings);
     void buildRuns(BuiltTree& built, uint32_t runs, const BuildSettings& settings);
     void finish(BuiltTree& built, const BuildSettings& settings);

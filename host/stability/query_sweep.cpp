@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "base/error.h"
 #include "base/strided.h"
 #include "base/text.h"
 #include "judge/crossings.h"
 #include "judge/nearest.h"
+#include "judge/oracle.h"
 #include "judge/separation.h"
 #include "shared/overlap.h"
 #include "stability/random.h"
@@ -78,15 +80,20 @@ std::vector<uint32_t> numbersOf(std::span<const Hit> hits) {
     return numbers;
 }
 
+// To a rounding; t below the smallest normal number are 0.
+bool isSameT(float t, float exact) {
+    return std::fabs(double{t} - exact) <= 2.4e-7 * std::fabs(exact) + double{kSmallestNormal};
+}
+
 // Two t that round to the same float may come in either order, and of these either may be the last; otherwise t and
 // numbers are the exact ones, t to a rounding.
 bool isAsExact(std::span<const Hit> row, std::span<const Hit> exact) {
     const size_t count = std::min(row.size(), exact.size());
     for (size_t k = 0; k < count; ++k) {
-        if (!(std::fabs(double{row[k].t} - exact[k].t) <= 2.4e-7 * exact[k].t)) return false;
+        if (!isSameT(row[k].t, exact[k].t)) return false;
         const auto isIt = [&](const Hit& hit) { return hit.prim == row[k].prim; };
         const auto it = std::find_if(exact.begin(), exact.end(), isIt);
-        if (it == exact.end() || !(std::fabs(double{row[k].t} - it->t) <= 2.4e-7 * it->t)) return false;
+        if (it == exact.end() || !isSameT(row[k].t, it->t)) return false;
         if (k > 0 && !isCloser(row[k - 1], row[k])) return false;
     }
     for (size_t k = count; k < row.size(); ++k)
@@ -94,10 +101,27 @@ bool isAsExact(std::span<const Hit> row, std::span<const Hit> exact) {
     return exact.size() > row.size() || numbersOf(row) == numbersOf(exact);
 }
 
-void add(QueryCell& cell, size_t i, bool isRight, const std::string& what) {
+std::string textOf(const vec3& p) {
+    std::ostringstream text;
+    text.precision(9);
+    text << "(" << p.x << ", " << p.y << ", " << p.z << ")";
+    return text.str();
+}
+std::string textOf(const Ray& ray) {
+    std::ostringstream text;
+    text.precision(9);
+    text << "ray from " << textOf(ray.origin) << " along " << textOf(ray.direction) << ", t in [" << ray.tMin << ", "
+         << ray.tMax << "]";
+    return text.str();
+}
+std::string textOf(const Box& box) { return "box from " + textOf(box.lo) + " to " + textOf(box.hi); }
+
+// `what` tells of the item.
+template <class What>
+void add(QueryCell& cell, bool isRight, const What& what) {
     ++cell.asked;
     if (isRight) return;
-    if (cell.differing == 0) cell.first = what + " " + grouped(i);
+    if (cell.differing == 0) cell.first = textOf(what);
     ++cell.differing;
 }
 
@@ -128,7 +152,7 @@ QuerySweep::QuerySweep(std::string scene, std::span<const Triangle> world, const
     for (const vec3& p : points_)
         for (int axis = 0; axis < 3; ++axis)
             largest = std::max(largest, std::fabs(double{p[axis]}) * std::exp2(-set.exponent));
-    tolerance_ = 8.0 * 0x1p-24 * 2.0 * largest * std::exp2(set.exponent);
+    tolerance_ = 8.0 * 0x1p-24 * 2.0 * largest * std::exp2(set.exponent) + double{kSmallestNormal};
 
     crossings_.resize(rays_.size());
     windings_.resize(rays_.size());
@@ -169,21 +193,21 @@ std::vector<QueryCell> QuerySweep::run(const QueriesUnderTest& tested) const {
     QueryCell& all = cell("all");
     const std::vector<Hit> hits = tested.all(rays_, kHitsPerRay);
     for (size_t i = 0; i < rays_.size(); ++i)
-        add(all, i, isAsExact(std::span(hits).subspan(i * kHitsPerRay, kHitsPerRay), crossings_[i]), "ray");
+        add(all, isAsExact(std::span(hits).subspan(i * kHitsPerRay, kHitsPerRay), crossings_[i]), rays_[i]);
     QueryCell& count = cell("count");
     const std::vector<int32_t> counts = tested.count(rays_, false), windings = tested.count(rays_, true);
     for (size_t i = 0; i < rays_.size(); ++i)
-        add(count, i, counts[i] == static_cast<int32_t>(crossings_[i].size()) && windings[i] == windings_[i], "ray");
+        add(count, counts[i] == static_cast<int32_t>(crossings_[i].size()) && windings[i] == windings_[i], rays_[i]);
     QueryCell& contains = cell("contains");
     const std::vector<uint8_t> isInside = isClosed_ ? tested.contains(points_) : std::vector<uint8_t>{};
-    for (size_t i = 0; i < isInside.size(); ++i) add(contains, i, isInside[i] == isInside_[i], "point");
+    for (size_t i = 0; i < isInside.size(); ++i) add(contains, isInside[i] == isInside_[i], points_[i]);
     QueryCell& nearest = cell("nearest");
     const std::vector<Hit> near = tested.nearest(points_);
-    for (size_t i = 0; i < points_.size(); ++i) add(nearest, i, isNear(points_[i], near[i], distances_[i]), "point");
+    for (size_t i = 0; i < points_.size(); ++i) add(nearest, isNear(points_[i], near[i], distances_[i]), points_[i]);
     QueryCell& overlaps = cell("overlaps");
     std::vector<std::vector<uint32_t>> met(boxes_.size());
     for (const uvec2& pair : tested.overlaps(boxes_)) met.at(pair.x).push_back(pair.y);
-    for (size_t i = 0; i < boxes_.size(); ++i) add(overlaps, i, met[i] == met_[i], "box");
+    for (size_t i = 0; i < boxes_.size(); ++i) add(overlaps, met[i] == met_[i], boxes_[i]);
     return cells;
 }
 

@@ -47,6 +47,22 @@ uint writeCrossings(CleaveRay ray, uint first) {
     return written;
 }
 
+// Fills a row up with misses, by stores of 64 bits where they are aligned: some devices, lavapipe among them, pay by the
+// store and lane, and most of a row may be misses.
+void fillUp(uint first, uint written) {
+    uint end = first + push.hitsPerRay;
+    if ((uvec2(push.hits).x & 7u) != 0u) {
+        for (uint i = first + written; i < end; i++) push.hits.at[i] = cleaveMissedHit();
+        return;
+    }
+    CleavePairArray halves = CleavePairArray(uvec2(push.hits));
+    double tAndNumber = packDouble2x32(uvec2(floatBitsToUint(cleaveInfinity()), kCleaveNone));
+    for (uint i = first + written; i < end; i++) {
+        halves.at[2u * i] = tAndNumber;
+        halves.at[2u * i + 1u] = packDouble2x32(uvec2(0u));
+    }
+}
+
 void main() {
     uint i = groupIndex() * kGroup + gl_LocalInvocationID.x;
     if (i >= push.rayCount) return;
@@ -55,5 +71,5 @@ void main() {
     uint written = 0u;
     if (cleaveIsValidRay(ray)) written = writeCrossings(ray, first);
     else if ((push.flags & kCleaveTraceCounters) != 0u) atomicAdd(push.counters.at.invalidRays, 1u);
-    for (; written < push.hitsPerRay; written++) push.hits.at[first + written] = cleaveMissedHit();
+    fillUp(first, written);
 }
