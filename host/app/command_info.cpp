@@ -1,5 +1,6 @@
 #include "app/commands.h"
 #include "app/report.h"
+#include "app/saved_tree.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "figures/timing.h"
@@ -122,9 +123,11 @@ Json validationJson(const ValidationReport& report) {
 void runInfo(Run& run) {
     const Options& options = run.options;
     if (options.json) requireWritable(*options.json);
+    if (options.saveTree) requireWritable(*options.saveTree);
     Session session(run, options.scenes.front());
     run.print(sceneTable(session));
     const BuiltTree built = session.build(session.chosenBuilder(true));
+    if (options.saveTree) saveTree(*options.saveTree, built.tree, session.posed().triangles);
     run.progress.phase("asking leaves");
     const LeafReasons reasons = countLeafReasons(built.tree, session.set(), options.settings);
     run.progress.clear();

@@ -10,6 +10,7 @@
 #include "formats/write_file.h"
 #include "scene/pose.h"
 #include "stability/cases.h"
+#include "stability/query_sweep.h"
 
 namespace cleave {
 namespace {
@@ -40,7 +41,9 @@ SceneFigures sweepScene(Run& run, const std::string& name, const std::string& ab
     settings.threads = options.settings.threads;
     SceneSweep sweep(name, world, set, settings);
     const std::vector<TraversalUnderTest> traversals = traversalsFor(run, set);
-    SceneFigures figures{name, about, world.size(), set.included.size(), {}, {}};
+    const uint64_t work = options.quick ? 30'000 : 300'000;
+    const QuerySweep queries(name, world, set, {settings.rays, work, settings.seed, settings.threads});
+    SceneFigures figures{name, about, world.size(), set.included.size(), {}, {}, {}};
     for (const Builder builder : builders) {
         run.progress.phase(oneLine(name) + " (" + nameOf(builder) + ")");
         const std::shared_ptr<TreeUnderTest> tree = buildForTest(run, builder, set, triangles);
@@ -50,6 +53,9 @@ SceneFigures sweepScene(Run& run, const std::string& name, const std::string& ab
         figures.trees.push_back({tree->builder, s.nodes, s.maxDepth, each, tree->buildMs});
         std::vector<Cell> cells = sweep.run(tree, traversals);
         figures.cells.insert(figures.cells.end(), cells.begin(), cells.end());
+        const std::vector<QueryCell> more =
+            queries.run(queriesOf(tree->builder, *tree->onDevice, run.device.tracer(), run.device.searcher()));
+        figures.queries.insert(figures.queries.end(), more.begin(), more.end());
     }
     return figures;
 }
@@ -89,6 +95,9 @@ void runStability(Run& run) {
     std::vector<Cell> all;
     for (const SceneFigures& scene : scenes) all.insert(all.end(), scene.cells.begin(), scene.cells.end());
     requireWithinBounds(all);
+    std::vector<QueryCell> queries;
+    for (const SceneFigures& scene : scenes) queries.insert(queries.end(), scene.queries.begin(), scene.queries.end());
+    requireAsBruteForce(queries);
 }
 
 }  // namespace cleave

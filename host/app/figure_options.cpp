@@ -32,6 +32,8 @@ void addInfo(CLI::App& app, Options& options) {
     app.add_flag("--validate", options.validate, "check the tree against its triangles");
     addTime(app, options);
     addBuild(app, options, false);
+    addTree(app, options);
+    app.add_option("--save-tree", options.saveTree, "keep the tree in this file, for --tree")->type_name("FILE");
     addKeepAll(app, options);
     addOutput(app, options);
 }

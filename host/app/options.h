@@ -50,7 +50,9 @@ struct Options {
     std::vector<Builder> builders{Builder::gpu};  // bench: several; stability: empty means all
     bool namesBuilder = false;                    // on the command line
     BuildSettings settings;
-    NeedSet keep;  // not left out, though nothing needs it
+    std::optional<std::filesystem::path> tree;      // a saved one, instead of building
+    std::optional<std::filesystem::path> saveTree;  // info: where to keep what was built
+    NeedSet keep;                                   // not left out, though nothing needs it
     std::string device;
     uint64_t check = 0;  // rays of a run to be judged
     bool validate = false;

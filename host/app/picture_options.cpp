@@ -93,6 +93,8 @@ void addRender(CLI::App& app, Options& options) {
         [&options](double s) { options.timeLimit = s; }, "a number of seconds above 0");
     addFrames(app, options, addTime(app, options));
     addBuild(app, options, false);
+    addTree(app, options);
+    app.get_option("--tree")->excludes("--frames");
     addTraversal(app, options, false);
     addKeepAll(app, options);
     addOutput(app, options);

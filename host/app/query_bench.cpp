@@ -32,52 +32,68 @@ double medianOfRuns(uint32_t runs, const std::function<double()>& once) {
     return medianOf(ms);
 }
 
+// Queries that are compared take turns, so that what else the machine does slows all of them.
+struct Contender {
+    Row row;
+    std::function<double(Row&)> once;
+    std::vector<double> ms{};
+};
+std::vector<Row> mediansOfTurns(uint32_t runs, std::vector<Contender> contenders) {
+    for (Contender& c : contenders) c.once(c.row);
+    for (uint32_t i = 0; i < runs; ++i)
+        for (Contender& c : contenders) c.ms.push_back(c.once(c.row));
+    std::vector<Row> rows;
+    for (Contender& c : contenders) {
+        c.row.ms = medianOf(c.ms);
+        rows.push_back(std::move(c.row));
+    }
+    return rows;
+}
+
 // As one does without all hits: the closest hit again and again, from just behind the last one, for the rays that still
 // have one. Hits at the same t, and so one of two at a shared edge, are lost.
-Row repeatedClosest(Run& run, const DeviceTree& tree, const std::string& items, const std::vector<Ray>& rays) {
-    Row row{"closest, " + std::to_string(kHits) + " times", items, rays.size(), 0.0, 0};
+double repeatedClosest(Run& run, const DeviceTree& tree, const std::vector<Ray>& rays, Row& row) {
     const TraceMode mode{Query::closest, run.traversal(), TriangleTest::watertight, false};
-    row.ms = medianOfRuns(run.options.runs, [&] {
-        std::vector<Ray> left = rays;
-        double ms = 0.0;
-        row.found = 0;
-        for (uint32_t k = 0; k < kHits && !left.empty(); ++k) {
-            const Tracer::Result traced = run.device.tracer().trace(tree, left, mode);
-            ms += traced.ms;
-            std::vector<Ray> next;
-            for (size_t i = 0; i < left.size(); ++i) {
-                if (traced.hits[i].prim == kNone) continue;
-                next.push_back(left[i]);
-                next.back().tMin = nextFloat(traced.hits[i].t, true);
-                ++row.found;
-            }
-            left = std::move(next);
+    std::vector<Ray> left = rays;
+    double ms = 0.0;
+    row.found = 0;
+    for (uint32_t k = 0; k < kHits && !left.empty(); ++k) {
+        const Tracer::Result traced = run.device.tracer().trace(tree, left, mode);
+        ms += traced.ms;
+        std::vector<Ray> next;
+        for (size_t i = 0; i < left.size(); ++i) {
+            if (traced.hits[i].prim == kNone) continue;
+            next.push_back(left[i]);
+            next.back().tMin = nextFloat(traced.hits[i].t, true);
+            ++row.found;
         }
-        return ms;
-    });
-    return row;
+        left = std::move(next);
+    }
+    return ms;
 }
 
-Row allHits(Run& run, const DeviceTree& tree, const std::string& items, const std::vector<Ray>& rays) {
-    Row row{"all, " + std::to_string(kHits), items, rays.size(), 0.0, 0};
-    row.ms = medianOfRuns(run.options.runs, [&] {
-        const Tracer::Result traced = run.device.tracer().all(tree, rays, kHits);
-        const auto isHit = [](const Hit& hit) { return hit.prim != kNone; };
-        row.found = static_cast<uint64_t>(std::count_if(traced.hits.begin(), traced.hits.end(), isHit));
-        return traced.ms;
-    });
-    return row;
+double allHits(Run& run, const DeviceTree& tree, const std::vector<Ray>& rays, Row& row) {
+    const Tracer::Result traced = run.device.tracer().all(tree, rays, kHits);
+    const auto isHit = [](const Hit& hit) { return hit.prim != kNone; };
+    row.found = static_cast<uint64_t>(std::count_if(traced.hits.begin(), traced.hits.end(), isHit));
+    return traced.ms;
 }
 
-Row counted(Run& run, const DeviceTree& tree, const std::string& items, const std::vector<Ray>& rays) {
-    Row row{"count", items, rays.size(), 0.0, 0};
-    row.ms = medianOfRuns(run.options.runs, [&] {
-        const Tracer::Counts traced = run.device.tracer().count(tree, rays);
-        row.found = 0;
-        for (const int32_t count : traced.counts) row.found += static_cast<uint64_t>(count);
-        return traced.ms;
-    });
-    return row;
+double counted(Run& run, const DeviceTree& tree, const std::vector<Ray>& rays, Row& row) {
+    const Tracer::Counts traced = run.device.tracer().count(tree, rays);
+    row.found = 0;
+    for (const int32_t count : traced.counts) row.found += static_cast<uint64_t>(count);
+    return traced.ms;
+}
+
+// In this order: one after the other, all at once, counted.
+std::vector<Row> rayRows(Run& run, const DeviceTree& tree, const std::string& items, const std::vector<Ray>& rays) {
+    const auto contender = [&](const std::string& query, const auto& once) {
+        return Contender{{query, items, rays.size(), 0.0, 0}, [&](Row& row) { return once(run, tree, rays, row); }};
+    };
+    const std::string hits = std::to_string(kHits);
+    return mediansOfTurns(run.options.runs, {contender("closest, " + hits + " times", repeatedClosest),
+                                             contender("all, " + hits, allHits), contender("count", counted)});
 }
 
 // Anywhere in the scene's box, a quarter larger on each side.
@@ -146,15 +162,16 @@ Json benchScene(Run& run, const std::filesystem::path& file) {
     BuiltTree built = session.build(run.options.builders.front());
     const DeviceTree& tree = session.upload(built);
     std::vector<Row> rows;
+    std::vector<std::pair<std::string, double>> speedups;  // of all hits at once over one after the other
     const Box bounds = session.worldBounds();
     if (!isEmpty(bounds)) {
         run.progress.phase("timing queries");
         const std::pair<const char*, std::vector<Ray>> sets[] = {{"primary", primaryRays(bounds, run.options.interior)},
                                                                  {"lines", uniformLines(bounds, 1u << 18, kSeed)}};
         for (const auto& [name, rays] : sets) {
-            rows.push_back(repeatedClosest(run, tree, name, rays));
-            rows.push_back(allHits(run, tree, name, rays));
-            rows.push_back(counted(run, tree, name, rays));
+            const std::vector<Row> timed = rayRows(run, tree, name, rays);
+            speedups.push_back({name, timed[0].ms / timed[1].ms});
+            rows.insert(rows.end(), timed.begin(), timed.end());
         }
         const std::vector<vec3> points = pointsIn(bounds);
         for (Row& row : nearestRows(run, session, built, tree, points)) rows.push_back(std::move(row));
@@ -176,8 +193,15 @@ Json benchScene(Run& run, const std::filesystem::path& file) {
     }
     run.print(oneLine(file.filename().string()) + ": " + grouped(session.posed().triangles.size()) + " triangles, " +
               oneLine(run.device.name().value_or("")) + ", median of " + std::to_string(run.options.runs) + "\n" +
-              alignedTable(table, "llrrrr") + "\n");
-    return {{"scene", sceneJson(session)}, {"build", buildJson(built)}, {"queries", queries}};
+              alignedTable(table, "llrrrr"));
+    Json faster = Json::object();
+    for (const auto& [items, speedup] : speedups) {
+        run.print("all, " + std::to_string(kHits) + ", of " + items + ": " + fixed(speedup, 2) +
+                  " times as fast as closest, " + std::to_string(kHits) + " times\n");
+        faster[items] = numberJson(speedup);
+    }
+    run.print("\n");
+    return {{"scene", sceneJson(session)}, {"build", buildJson(built)}, {"queries", queries}, {"allSpeedup", faster}};
 }
 
 }  // namespace

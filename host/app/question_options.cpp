@@ -36,6 +36,7 @@ void addTrace(CLI::App& app, Options& options) {
         ->needs(count);
     addTime(app, options);
     addBuild(app, options, false);
+    addTree(app, options);
     addTraversal(app, options, false);
     CLI::Option* const own[] = {any, all, count};
     for (CLI::Option* one : own)
@@ -76,6 +77,7 @@ void addQuery(CLI::App& app, Options& options) {
         ->needs(nearest);
     addTime(app, options);
     addBuild(app, options, false);
+    addTree(app, options);
     addKeepAll(app, options);
     addOutput(app, options);
 }

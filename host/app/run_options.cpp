@@ -25,6 +25,12 @@ void addMachine(CLI::App& app, Options& options) {
     addWhole(app, "--threads", "threads of CPU work (2)", options.settings.threads, 1, 1024);
 }
 
+void addTree(CLI::App& app, Options& options) {
+    app.add_option("--tree", options.tree, "walk a tree that info --save-tree kept, instead of building one")
+        ->type_name("FILE")
+        ->excludes("--builder");
+}
+
 void addKeepAll(CLI::App& app, Options& options) {
     app.add_flag_callback(
         "--keep-all", [&options] { options.keep.set(); }, "leave nothing out that the scene has no need of");

@@ -11,6 +11,8 @@ namespace cleave {
 void addScene(CLI::App& app, Options& options, const std::string& text, bool needed);
 CLI::Option* addTime(CLI::App& app, Options& options);
 void addMachine(CLI::App& app, Options& options);
+// After addBuild(): a saved tree has been built.
+void addTree(CLI::App& app, Options& options);
 void addKeepAll(CLI::App& app, Options& options);
 void addTraversal(CLI::App& app, Options& options, bool several);
 void addOutput(CLI::App& app, Options& options);

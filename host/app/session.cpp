@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/saved_tree.h"
 #include "app/surfaces.h"
 #include "base/error.h"
 #include "base/stopwatch.h"
@@ -66,6 +67,7 @@ void Session::readUnplayed() const {
 
 Builder Session::chosenBuilder(bool showsTree) {
     const Builder named = run_.options.builders.front();
+    if (run_.options.tree) return named;
     if (named == Builder::gpu) findInBuild(needs_, set_, settings_.exactUpTo, !run_.options.namesBuilder && !showsTree);
     return needs_.isLeftOut(Need::tree) ? Builder::brute : named;
 }
@@ -127,7 +129,11 @@ void Session::buildOnDevice(BuiltTree& built, const BuildSettings& settings) {
 
 BuiltTree Session::prepared(Builder builder) {
     BuiltTree built;
-    built.builder = builder;
+    built.builder = run_.options.tree ? Builder{"saved"} : builder;
+    if (run_.options.tree) {
+        run_.progress.phase("loading the tree");
+        return built;
+    }
     if (builder == Builder::gpu) {
         run_.progress.phase("preparing the device");
         run_.device.builder();
@@ -137,8 +143,16 @@ BuiltTree Session::prepared(Builder builder) {
     return built;
 }
 
+void Session::loadSaved(BuiltTree& built) {
+    const Stopwatch watch;
+    built.tree = readTree(*run_.options.tree, posed_.triangles, set_);
+    built.runs.push_back(watch.milliseconds());
+}
+
 void Session::buildOnce(BuiltTree& built, const BuildSettings& settings) {
-    if (built.builder == Builder::gpu)
+    if (run_.options.tree)
+        loadSaved(built);
+    else if (built.builder == Builder::gpu)
         buildOnDevice(built, settings);
     else
         buildOnHost(built, set_, settings);

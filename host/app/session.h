@@ -46,7 +46,7 @@ class Session {
     // The builder of the run; without a name, that of tiny scenes is none, where nobody is shown the tree.
     Builder chosenBuilder(bool showsTree);
 
-    // With the settings of the run where none are given.
+    // With the settings of the run where none are given. Where the run names a saved tree, that one, loaded.
     BuiltTree build(Builder builder) { return build(builder, settings_); }
     BuiltTree build(Builder builder, const BuildSettings& settings);
     // Only the tree and its time: neither statistics nor a hash, which take longer.
@@ -75,6 +75,7 @@ class Session {
     void warnOnce(const std::vector<std::string>& warnings);
     BuiltTree prepared(Builder builder);
     void buildOnDevice(BuiltTree& built, const BuildSettings& settings);
+    void loadSaved(BuiltTree& built);
     void buildOnce(BuiltTree& built, const BuildSettings& settings);
     void buildRuns(BuiltTree& built, uint32_t runs, const BuildSettings& settings);
     void finish(BuiltTree& built, const BuildSettings& settings);

@@ -5,6 +5,7 @@
 #include "facade/copied.h"
 #include "facade/host_builders.h"
 #include "facade/states.h"
+#include "tree/tree_bytes.h"
 
 namespace cleave::scene {
 namespace {
@@ -77,6 +78,18 @@ Built buildOnHost(cleave::Device& device, std::string_view builder, std::span<co
     return built;
 }
 
+TreeCounts countsOf(const Built& built, size_t triangles) {
+    TreeCounts counts = built.counts;
+    const TreeHeader& h = built.tree->header;
+    counts.triangles = static_cast<uint32_t>(triangles);
+    counts.nonFinite = h.nonFinite;
+    counts.noArea = h.noArea;
+    counts.nodes = h.nodeCount;
+    counts.references = h.leafRefCount;
+    counts.bytes = h.bytes;
+    return counts;
+}
+
 }  // namespace
 
 std::vector<std::string_view> builders() {
@@ -86,7 +99,11 @@ std::vector<std::string_view> builders() {
 }
 
 Mesh::Mesh(Device& device, std::span<const Triangle> triangles)
-    : state_(std::make_unique<State>(State{device.state_.get(), copied<cleave::Triangle>(triangles), {}, {}})) {
+    : state_(std::make_unique<State>(
+          State{device.state_.get(),
+                std::make_shared<const std::vector<cleave::Triangle>>(copied<cleave::Triangle>(triangles)),
+                {},
+                {}})) {
     if (triangles.size() > kMaxLink) throw Error("the mesh has more than 2^30 triangles; split it");
 }
 
@@ -95,24 +112,40 @@ Mesh::Mesh(Mesh&&) noexcept = default;
 
 Tree Mesh::build(std::string_view builder, const BuildSettings& settings, std::span<const uint32_t> list) {
     State& s = *state_;
-    requireList(list, s.triangles.size());
+    requireList(list, s.world->size());
     const std::vector<std::string_view> known = builders();
     if (std::find(known.begin(), known.end(), builder) == known.end()) {
         std::string names;
         for (const std::string_view name : known) names += (names.empty() ? "" : ", ") + std::string(name);
         throw Error("no builder is named '" + std::string(builder) + "'; there is: " + names);
     }
-    if (builder == "gpu" && !s.onDevice) s.onDevice = std::make_unique<DeviceTriangles>(s.device->device, s.triangles);
+    if (builder == "gpu" && !s.onDevice) s.onDevice = std::make_unique<DeviceTriangles>(s.device->device, *s.world);
     Built built = builder == "gpu" ? buildOnDevice(s.device->builder(), *s.onDevice, settingsOf(settings), list)
-                                   : buildOnHost(s.device->device, builder, s.triangles, settingsOf(settings), list);
-    const TreeHeader& h = built.tree->header;
-    built.counts.triangles = static_cast<uint32_t>(list.empty() ? s.triangles.size() : list.size());
-    built.counts.nonFinite = h.nonFinite;
-    built.counts.noArea = h.noArea;
-    built.counts.nodes = h.nodeCount;
-    built.counts.references = h.leafRefCount;
-    built.counts.bytes = h.bytes;
-    return Tree(std::unique_ptr<Tree::State>(new Tree::State{&s.device->tracer, std::move(built.tree)}), built.counts);
+                                   : buildOnHost(s.device->device, builder, *s.world, settingsOf(settings), list);
+    const TreeCounts counts = countsOf(built, list.empty() ? s.world->size() : list.size());
+    Tracer* const tracer = &s.device->tracer;
+    return Tree(std::unique_ptr<Tree::State>(new Tree::State{
+                    tracer, &s.device->searcher, std::move(built.tree), s.world, {list.begin(), list.end()}, {}}),
+                counts);
+}
+
+Tree Mesh::load(std::span<const std::byte> saved) {
+    State& s = *state_;
+    const Stopwatch watch;
+    const TriangleSet set = makeTriangleSet(*s.world);
+    Built built;
+    built.tree = uploadTree(s.device->device, set, treeOfBytes(saved, *s.world, set));
+    built.counts.ms = watch.milliseconds();
+    const TreeCounts counts = countsOf(built, s.world->size());
+    Tracer* const tracer = &s.device->tracer;
+    return Tree(std::unique_ptr<Tree::State>(
+                    new Tree::State{tracer, &s.device->searcher, std::move(built.tree), s.world, {}, {}}),
+                counts);
+}
+
+Twin Mesh::twin(uint32_t threads) const {
+    const World& world = state_->world;
+    return Twin(std::unique_ptr<Twin::State>(new Twin::State{world, makeTriangleSet(*world), threads, {}}));
 }
 
 Judgement Mesh::judge(std::span<const TraceRay> rays, std::span<const TraceHit> hits, Query query, uint64_t count,
@@ -121,7 +154,7 @@ Judgement Mesh::judge(std::span<const TraceRay> rays, std::span<const TraceHit> 
         throw Error("judging: there are " + std::to_string(hits.size()) + " hits for " + std::to_string(rays.size()) +
                     " rays; give one per ray");
     State& s = *state_;
-    if (!s.reference) s.reference = std::make_unique<Reference>(s.triangles, makeTriangleSet(s.triangles).included);
+    if (!s.reference) s.reference = std::make_unique<Reference>(*s.world, makeTriangleSet(*s.world).included);
     CheckResult result = check(*s.reference, copied<Ray>(rays), copied<Hit>(hits), query, count, threads);
     return {result.rays, result.mismatches, result.undecided, result.maxRelativeTError, std::move(result.first)};
 }

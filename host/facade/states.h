@@ -2,18 +2,21 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "cleave/scene.hpp"
 #include "judge/oracle.h"
 #include "run/gpu_builder.h"
+#include "run/searcher.h"
 #include "run/tracer.h"
 
 namespace cleave::scene {
 
 struct Device::State {
     template <class... Arguments>
-    explicit State(Arguments&&... arguments) : device(std::forward<Arguments>(arguments)...), tracer(device) {}
+    explicit State(Arguments&&... arguments)
+        : device(std::forward<Arguments>(arguments)...), tracer(device), searcher(device) {}
 
     // Compiles its kernels when it is first asked for.
     GpuBuilder& builder() {
@@ -23,19 +26,38 @@ struct Device::State {
 
     cleave::Device device;
     Tracer tracer;
+    Searcher searcher;
 
   private:
     std::unique_ptr<GpuBuilder> builder_;
 };
 
+// Triangles in world space, which trees share with the mesh.
+using World = std::shared_ptr<const std::vector<cleave::Triangle>>;
+
 struct Tree::State {
     Tracer* tracer;
+    Searcher* searcher;
     std::shared_ptr<DeviceTree> tree;
+    World world;
+    std::vector<uint32_t> list;         // of the world, as Mesh::build() was given it
+    std::optional<uint64_t> openEdges;  // of the tree's triangles, once they are counted
+
+    void requireClosed();
+};
+
+struct Twin::State {
+    World world;
+    TriangleSet set;
+    uint32_t threads;
+    std::optional<uint64_t> openEdges;
+
+    void requireClosed();
 };
 
 struct Mesh::State {
     Device::State* device;
-    std::vector<cleave::Triangle> triangles;
+    World world;
     std::unique_ptr<DeviceTriangles> onDevice;
     std::unique_ptr<Reference> reference;
 };

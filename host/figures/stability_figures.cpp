@@ -102,6 +102,29 @@ std::string brokenCells(const std::vector<SceneFigures>& scenes) {
     return text.empty() ? "all cells are within their bounds\n" : "cells out of bounds:\n" + text;
 }
 
+// A row per scene, a column per query, each with what differs under any builder, of what was asked.
+std::string queryTable(const std::vector<SceneFigures>& scenes) {
+    std::vector<Row> rows;
+    for (const SceneFigures& scene : scenes) {
+        std::vector<std::pair<std::string, QueryCell>> sums;
+        for (const QueryCell& cell : scene.queries) {
+            auto sum = std::find_if(sums.begin(), sums.end(), [&](const auto& s) { return s.first == cell.query; });
+            if (sum == sums.end()) sum = sums.insert(sum, {cell.query, {}});
+            sum->second.asked += cell.asked;
+            sum->second.differing += cell.differing;
+        }
+        if (sums.empty()) continue;
+        Row header{"queries that differ"}, row{oneLine(scene.name)};
+        for (const auto& [query, sum] : sums) {
+            header.push_back(query);
+            row.push_back(grouped(sum.differing) + " of " + grouped(sum.asked));
+        }
+        if (rows.empty()) rows.push_back(header);
+        rows.push_back(row);
+    }
+    return rows.empty() ? "" : "\n" + alignedTable(rows, "l" + std::string(rows.front().size() - 1, 'r'));
+}
+
 Json cellJson(const Cell& cell) {
     return {{"case", cell.scene},
             {"builder", cell.builder},
@@ -135,12 +158,12 @@ std::string stabilityText(const std::vector<SceneFigures>& scenes) {
                        return Row{c.builder, c.traversal};
                    }) +
            "\n" + families + "* at edges, vertices or ends on purpose: what is undecided is not bounded\n\n" +
-           brokenCells(scenes);
+           brokenCells(scenes) + queryTable(scenes);
 }
 
 Json stabilityJson(const std::vector<SceneFigures>& scenes) {
-    Json cases = Json::array(), cells = Json::array();
-    uint64_t broken = 0;
+    Json cases = Json::array(), cells = Json::array(), queries = Json::array();
+    uint64_t broken = 0, differing = 0;
     for (const SceneFigures& scene : scenes) {
         Json trees = Json::array();
         for (const TreeFigures& tree : scene.trees)
@@ -159,7 +182,20 @@ Json stabilityJson(const std::vector<SceneFigures>& scenes) {
             broken += whyBroken(cell).empty() ? 0 : 1;
         }
     }
-    return {{"cases", cases}, {"cells", cells}, {"brokenCells", broken}};
+    for (const SceneFigures& scene : scenes)
+        for (const QueryCell& cell : scene.queries) {
+            queries.push_back({{"case", cell.scene},
+                               {"builder", cell.builder},
+                               {"query", cell.query},
+                               {"asked", cell.asked},
+                               {"differing", cell.differing}});
+            differing += cell.differing;
+        }
+    return {{"cases", cases},
+            {"cells", cells},
+            {"brokenCells", broken},
+            {"queries", queries},
+            {"differingQueries", differing}};
 }
 
 }  // namespace cleave

@@ -6,6 +6,7 @@
 
 #include "figures/json.h"
 #include "stability/cell.h"
+#include "stability/query_sweep.h"
 
 namespace cleave {
 
@@ -24,10 +25,12 @@ struct SceneFigures {
     uint64_t included = 0;
     std::vector<TreeFigures> trees;
     std::vector<Cell> cells;
+    std::vector<QueryCell> queries;
 };
 
 // Thousands of cells are no reading: a row per scene, one per builder and traversal, one per family of rays, each with
-// the sums and the worst of its cells; then every broken cell in full.
+// the sums and the worst of its cells; then every broken cell in full; then a row per scene of the other queries, of
+// which each must answer as brute force.
 std::string stabilityText(const std::vector<SceneFigures>& scenes);
 // Every cell.
 Json stabilityJson(const std::vector<SceneFigures>& scenes);

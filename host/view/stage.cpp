@@ -39,7 +39,7 @@ struct Stage::Workshop {
 
     Stage& stage;
     DeviceKit kit;
-    Needs needs;  // nothing is kept that a scene does not need
+    Needs needs;                                   // nothing is kept that a scene does not need
     std::shared_ptr<const StagedPose> uploadedOf;  // whose triangles are on the device
     std::unique_ptr<DeviceTriangles> triangles;
 
@@ -79,8 +79,8 @@ struct Stage::Workshop {
         uint64_t most = kit.device().largestAllocation();
         if (wish.settings.memory != 0) most = std::min(most, wish.settings.memory);
         const auto warn = [&](const std::string& warning) { next.warnings.push_back(warning); };
-        next.surfaces =
-            std::make_shared<SurfaceData>(surfacesOf(next.scene->scene, next.geometry->posed, wish.view, most, warn, needs));
+        next.surfaces = std::make_shared<SurfaceData>(
+            surfacesOf(next.scene->scene, next.geometry->posed, wish.view, most, warn, needs));
         next.surfacesOf = wish.view;
     }
 

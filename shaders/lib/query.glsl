@@ -80,10 +80,7 @@ Hit cleaveFirst(Tree tree, vec3 origin, float tMin, vec3 direction, float tMax) 
     return crossingBehind(tree, rayOf(origin, tMin, direction, tMax), beforeAll());
 }
 Hit cleaveNext(Tree tree, vec3 origin, float tMin, vec3 direction, float tMax, Hit last) {
-    Mark after;
-    after.t = last.t;
-    after.number = last.prim;
-    return crossingBehind(tree, rayOf(origin, tMin, direction, tMax), after);
+    return crossingBehind(tree, rayOf(origin, tMin, direction, tMax), markAt(last));
 }
 
 // How many of these hits there are; 0 for a ray that is not valid.

@@ -5,9 +5,10 @@
 #ifndef CLEAVE_LIB_STACK
 #define CLEAVE_LIB_STACK
 #include "shared/config.h"
+#include "lib/crossing_list.glsl"
 #include "lib/walk.glsl"
 
-// Marks an entry whose plane is passed at an uncertain t; see traverseStack().
+// Marks an entry whose plane is passed at an uncertain t; see walkStack().
 const uint kUncertain = 0x80000000u;
 const uint kOnTop = 4u;
 
@@ -15,13 +16,19 @@ const uint kOnTop = 4u;
 // some, is taken back.
 float takenBack(float t) { return t - abs(t) * 4.0 * kWiden; }
 
-// Looks for a hit that is closer than `best`; t is in scaled units. There is no step limit: no node is visited twice,
+// What a walk looks for.
+const uint kClosestHit = 0u;
+const uint kAnyHit = 1u;
+const uint kAllCrossings = 2u;
+
+// Looks for a hit that is closer than `best`, or collects crossings in `list`; t is in scaled units. There is no step limit: no node is visited twice,
 // so the work is bounded by the size of the tree.
 //
 // An entry is a far child and the end of the ray's part in it. The beginning is that of the cell that comes after the
 // one visited last, and follows from where that ended. Not so where the ray comes from far away or lies in the plane,
 // and the plane is passed somewhere in a wide interval: the entry is marked, and its part begins with the whole ray's.
-void traverseStack(TreeParts tree, ScaledRay ray, bool anyHit, inout Best best, inout StepCount steps) {
+void walkStack(TreeParts tree, ScaledRay ray, uint sought, inout Best best, inout CrossingList list,
+               inout StepCount steps) {
     Walk walk;
     float begin;
     Visit at;
@@ -51,8 +58,13 @@ void traverseStack(TreeParts tree, ScaledRay ray, bool anyHit, inout Best best, 
             at.tMax = s.goNear ? min(at.tMax, s.tHigh) : at.tMax;
             node = nodeAt(tree, at.node);
         }
-        bool found = testLeaf(tree, ray, node, anyHit, best, steps);
-        if (anyHit && found) return;
+        if (sought == kAllCrossings) {
+            collectFrom(tree, ray, node, list);
+            best.tHigh = endOf(list, ray);
+        } else {
+            bool found = testLeaf(tree, ray, node, sought == kAnyHit, best, steps);
+            if (sought == kAnyHit && found) return;
+        }
         limit = limitOf(best, walk);
         // Ties go to the lower number, so a cell that begins at the best t must still be visited.
         do {
@@ -70,5 +82,10 @@ void traverseStack(TreeParts tree, ScaledRay ray, bool anyHit, inout Best best, 
             }
         } while (at.tMin > limit);
     }
+}
+
+void traverseStack(TreeParts tree, ScaledRay ray, bool anyHit, inout Best best, inout StepCount steps) {
+    CrossingList none = emptyCrossings(0u, beforeAll(), ray);
+    walkStack(tree, ray, anyHit ? kAnyHit : kClosestHit, best, none, steps);
 }
 #endif

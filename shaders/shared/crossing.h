@@ -10,7 +10,7 @@
 // (docs/queries.md). Triangles of no area are never crossed, and may be left out.
 #ifndef CLEAVE_SHARED_CROSSING_H
 #define CLEAVE_SHARED_CROSSING_H
-#include "exact.h"
+#include "triangle.h"
 
 CLEAVE_BEGIN
 

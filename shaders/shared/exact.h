@@ -2,15 +2,25 @@
 // leaves the sign open.
 #ifndef CLEAVE_SHARED_EXACT_H
 #define CLEAVE_SHARED_EXACT_H
-#include "triangle.h"
+#include "language.h"
 
 CLEAVE_BEGIN
 
-// Four determinants of 6 products of three floats, each the sum of two doubles; or one of differences of floats, whose
-// products are the sum of four.
-CLEAVE_CONST uint kMostParts = 48u;
+// Exact rounding error of a * b (Dekker's two-product, 1971, with Veltkamp's split at 27 bits); `product` is a * b,
+// rounded.
+CLEAVE_FN double productRest(double a, double b, double product) {
+    precise double aBig = double(134217729u) * a;
+    precise double aHigh = aBig - (aBig - a);
+    precise double aLow = a - aHigh;
+    precise double bBig = double(134217729u) * b;
+    precise double bHigh = bBig - (bBig - b);
+    precise double bLow = b - bHigh;
+    precise double rest = ((aHigh * bHigh - product) + aHigh * bLow) + aLow * bHigh;
+    rest = rest + aLow * bLow;
+    return rest;
+}
 
-// A difference in each component, and what its rounding left out.
+// A difference in each component, and whether it was not rounded.
 struct Difference {
     dvec3 rounded;
     bool isExact;
@@ -29,27 +39,35 @@ CLEAVE_FN Difference differenceOf(vec3 a, vec3 b) {
     return d;
 }
 
-// det(x, a - o, b) with the exact sign and a relative error of at most 2^-50; where xIsPoint, x - o in place of x, and
+// Of determinants of floats of any size: more parts are never needed (see exactDeterminant).
+CLEAVE_CONST uint kExactParts = 18u;
+
+// det(x, a - o, b) with the exact sign and a relative error of at most 2^-51; where xIsPoint, x - o in place of x, and
 // b - o in place of b where bIsPoint. Nearly always the differences are doubles; else multilinearity gives up to four
-// determinants of the vectors as they are. The products are summed without rounding, as an expansion of doubles that do
-// not overlap (Shewchuk 1997, GROW-EXPANSION with zero elimination), whose largest part has the sign of the sum.
-// Products of three floats of any size are in the range of double, with their last bits.
+// determinants of the vectors as they are.
+//
+// Of each product of three, which up to four doubles hold exactly, each is added to the first part, what its rounding
+// leaves over to the second, and so on (the cascade of Ogita, Rump and Oishi 2005). All of them are multiples of 2^-447
+// and at most 48 are not 0, so that sums are below 2^393 and leave 2^-53 of that to the next part, at most 48 times:
+// 2^-47.4 from part to part, and nothing after 18. The parts are then made an expansion (Shewchuk 1997,
+// GROW-EXPANSION), whose largest one that is not 0 has the sign. Indices are constants once the loops over parts are
+// unrolled: devices without indexed registers (lavapipe) keep them in registers all the same.
 CLEAVE_FN double exactDeterminant(vec3 x, bool xIsPoint, vec3 a, vec3 b, bool bIsPoint, vec3 o) {
     Difference ao = differenceOf(a, o);
     Difference xo = differenceOf(x, xIsPoint ? o : vec3(0.0f));
     Difference bo = differenceOf(b, bIsPoint ? o : vec3(0.0f));
     bool isOne = ao.isExact && xo.isExact && bo.isExact;
-    double parts[kMostParts];
-    uint count = 0u;
-    for (uint m = 0u; m < (isOne ? 6u : 24u); m++) {
+    double parts[kExactParts];
+    for (uint i = 0u; i < kExactParts; i++) parts[i] = double(0.0f);
+    for (uint n = 0u; n < (isOne ? 6u : 24u); n++) {
         // det(x, a, b) - det(x, o, b) - det(x, a, o) - det(o, a, b), a product of three at a time.
-        uint which = m / 6u;
+        uint which = n / 6u;
         if ((which == 2u && !bIsPoint) || (which == 3u && !xIsPoint)) continue;
         dvec3 p = isOne ? xo.rounded : which == 3u ? dvec3(o) : dvec3(x);
         dvec3 q = isOne ? ao.rounded : which == 1u ? dvec3(o) : dvec3(a);
         dvec3 r = isOne ? bo.rounded : which == 2u ? dvec3(o) : dvec3(b);
-        uint i = m % 3u;
-        bool crossed = m % 6u >= 3u;
+        uint i = n % 3u;
+        bool crossed = n % 6u >= 3u;
         uint j = (i + (crossed ? 2u : 1u)) % 3u;
         uint k = (i + (crossed ? 1u : 2u)) % 3u;
         double third = crossed != (which > 0u) ? -p[i] : p[i];
@@ -57,31 +75,35 @@ CLEAVE_FN double exactDeterminant(vec3 x, bool xIsPoint, vec3 a, vec3 b, bool bI
         double twoRest = productRest(q[j], r[k], two);
         precise double high = two * third;
         precise double low = twoRest * third;
-        for (uint part = 0u; part < 4u; part++) {
-            precise double sum = part == 0u   ? productRest(twoRest, third, low)
-                                 : part == 1u ? low
-                                 : part == 2u ? productRest(two, third, high)
-                                              : high;
-            if (sum == 0.0) continue;
-            uint kept = 0u;
-            for (uint n = 0u; n < count; n++) {
-                double term = parts[n];
-                precise double with = sum + term;
-                precise double taken = with - sum;
-                precise double error = (sum - (with - taken)) + (term - taken);
-                sum = with;
-                if (error == 0.0) continue;
-                parts[kept] = error;
-                kept++;
+        for (uint term = 0u; term < 4u; term++) {
+            precise double rest = term == 0u   ? high
+                                  : term == 1u ? productRest(two, third, high)
+                                  : term == 2u ? low
+                                               : productRest(twoRest, third, low);
+            if (rest == 0.0) continue;
+            for (uint m = 0u; m < kExactParts; m++) {
+                precise double sum = parts[m] + rest;
+                precise double taken = sum - parts[m];
+                precise double left = (parts[m] - (sum - taken)) + (rest - taken);
+                parts[m] = sum;
+                rest = left;
             }
-            count = kept;
-            if (sum == 0.0) continue;
-            parts[count] = sum;
-            count++;
         }
     }
-    precise double value = 0.0;
-    for (uint n = 0u; n < count; n++) value = value + parts[n];
+    double grown[kExactParts];
+    for (uint i = 0u; i < kExactParts; i++) {
+        precise double sum = parts[i];
+        for (uint k = 0u; k < i; k++) {
+            precise double both = sum + grown[k];
+            precise double taken = both - sum;
+            precise double rest = (sum - (both - taken)) + (grown[k] - taken);
+            grown[k] = rest;
+            sum = both;
+        }
+        grown[i] = sum;
+    }
+    precise double value = grown[0];
+    for (uint i = 1u; i < kExactParts; i++) value = value + grown[i];
     return value;
 }
 

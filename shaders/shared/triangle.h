@@ -189,7 +189,7 @@ CLEAVE_FN Hit resolveTriangle(vec3 origin, vec3 direction, vec3 va, vec3 vb, vec
     // Measured from the nearest vertex: the error shrinks with its distance.
     dvec3 from = shorterOf(shorterOf(a, b), c);
     precise double height = preciseDot(n, from);
-    height = certainHeight(height, from, o, dvec3(va), dvec3(vb), dvec3(vc));
+    height = certainHeight(height, from, origin, va, vb, vc);
     precise double sum = wa + wb;
     sum = sum + wc;
     if (slope == 0.0) return h;

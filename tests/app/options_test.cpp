@@ -123,6 +123,8 @@ TEST(Options, OtherCommands) {
     EXPECT_EQ(bench.builders, (std::vector{Builder::gpu, Builder::exact, Builder::twin}));
     EXPECT_TRUE(parse({"bench", "a.glb", "--survey"}).survey);
     EXPECT_TRUE(parse({"info", "a.glb", "--validate"}).validate);
+    EXPECT_EQ(parse({"info", "a.glb", "--save-tree", "t"}).saveTree, "t");
+    EXPECT_EQ(parse({"trace", "a.glb", "r.npy", "--tree", "t"}).tree, "t");
     EXPECT_EQ(parse({"devices"}).command, Command::devices);
 }
 
@@ -315,6 +317,8 @@ TEST(Options, OptionsOfLaterAreNotTakenYet) {
     }
     expectRefused({"trace", "a.glb", "r.npy", "--some", "3"}, "--any");
     expectRefused({"info", "a.glb", "--check", "3"}, "--validate");
+    expectRefused({"query", "a.glb", "p.npy", "--nearest", "--tree", "t", "--builder", "exact"}, "--tree");
+    expectRefused({"render", "--tree", "t", "--frames", "0:1", "--fps", "1"}, "--tree");
     expectRefused({"render", "a.glb", "b.glb"}, "b.glb");
 }
 

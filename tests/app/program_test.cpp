@@ -192,6 +192,39 @@ TEST_F(Program, TraceWithAnyHit) {
     EXPECT_EQ(outcome.status, 0) << outcome.err;
 }
 
+TEST_F(Program, ASavedTreeAnswersAsTheOneThatWasSaved) {
+    putRays("rays.npy.in");
+    const std::string tree = at("tree.npy.in");  // not an output
+    ASSERT_EQ(runCleave({"info", scene_, "--save-tree", tree}).status, 0);
+    const std::string saved = contentOf(tree);
+    ASSERT_EQ(runCleave({"trace", scene_, at("rays.npy.in"), "-o", at("built.npy")}).status, 0);
+    const Outcome loaded = runCleave({"trace", scene_, at("rays.npy.in"), "-o", at("loaded.npy"), "--tree", tree,
+                                      "--check", "3", "--json", at("t.json")});
+    ASSERT_EQ(loaded.status, 0) << loaded.err;
+    EXPECT_EQ(contentOf(at("built.npy")), contentOf(at("loaded.npy")));
+    EXPECT_EQ(reportOf("t.json")["build"]["builder"], "saved");
+    EXPECT_EQ(runCleave({"render", scene_, "-o", at("p.png"), "--size", "8x8", "--tree", tree}).status, 0);
+    EXPECT_EQ(runCleave({"info", scene_, "--validate", "--tree", tree}).status, 0);
+    for (const char* name : {"built.npy", "loaded.npy", "t.json", "p.png"}) fs::remove(at(name));
+
+    const auto refused = [&](const std::string& content, const std::string& part) {
+        put(tree, content);
+        expectFailure({"trace", scene_, at("rays.npy.in"), "-o", at("h.npy"), "--tree", tree}, 1, part);
+    };
+    refused("", "tree.npy.in: cannot load the tree");
+    refused(saved.substr(0, saved.size() - 4), "bytes");
+    refused(std::string(saved).replace(60, 1, 1, static_cast<char>(saved[60] ^ 4)), "checksum");
+    refused(std::string(200, 'x'), "these bytes are none");
+    put(tree, saved);
+    std::string other = triangleScene();
+    other.replace(other.find("\"buffers\""), 0, "\"extras\": 1, ");  // the same triangles
+    put(scene_, other);
+    EXPECT_EQ(runCleave({"info", scene_, "--tree", tree}).status, 0);
+    expectFailure({"info", std::string(CLEAVE_SOURCE) + "/scenes/cornell.glb", "--tree", tree}, 1, "other triangles");
+    expectFailure({"info", scene_, "--tree", at("none")}, 1, "cannot read the tree");
+    expectFailure({"info", scene_, "--save-tree", at("no/such")}, 1, "cannot write");
+}
+
 TEST_F(Program, TheSameRenderTwiceGivesTheSameBytes) {
     for (const char* view : {"shaded", "normals", "depth", "steps", "leaves"}) {
         for (const char* name : {"a.png", "b.png"}) {
@@ -537,6 +570,12 @@ TEST_F(Program, StabilityPrintsATableAndWritesEveryCell) {
         EXPECT_EQ(cell["differing"], 0u);
         EXPECT_GT(cell["rays"], 0u);
     }
+    EXPECT_EQ(json["queries"].size(), 2u * 2u * 5u);
+    EXPECT_EQ(json["differingQueries"], 0u);
+    uint64_t asked = 0;
+    for (const auto& cell : json["queries"]) asked += cell["asked"].get<uint64_t>();
+    EXPECT_GT(asked, 200u);
+    EXPECT_NE(run.out.find("queries that differ"), std::string::npos) << run.out;
 }
 
 TEST_F(Program, StabilityShootsFromInsideOfClosedMeshes) {

@@ -20,8 +20,12 @@ struct Triangle {
 };
 
 struct Push {  // of own_trace.comp
-    VkDeviceAddress tree, rays, hits, occluded;
+    VkDeviceAddress tree, rays, hits, occluded, surfaces;
     uint32_t count;
+};
+
+struct Surfaces {  // of one ray
+    int32_t oneByOne, counted, leaving;
 };
 
 float unit(std::mt19937& random) { return static_cast<float>(random() >> 8) * 0x1p-24f; }
@@ -60,6 +64,18 @@ double intersect(const cleave::TraceRay& ray, const Triangle& triangle) {
     cross(s, e1, q);
     const double det = dot(e1, p), u = dot(s, p) / det, v = dot(d, q) / det, t = dot(e2, q) / det;
     return u >= 0 && v >= 0 && u + v <= 1 && t >= ray.tMin && t <= ray.tMax ? t : kInfinity;
+}
+
+// Whether the ray leaves through the triangle's back.
+bool facesAlong(const Triangle& triangle, const cleave::TraceRay& ray) {
+    double e1[3], e2[3], n[3], d[3];
+    for (int i = 0; i < 3; i++) {
+        e1[i] = double(triangle.b[i]) - triangle.a[i];
+        e2[i] = double(triangle.c[i]) - triangle.a[i];
+        d[i] = ray.direction[i];
+    }
+    cross(e1, e2, n);
+    return dot(n, d) > 0;
 }
 
 template <class T>
@@ -101,6 +117,7 @@ int main() {
     const Memory anyHits = vulkan.allocate(sizeof(cleave::TraceHit) * kRays);
     const Memory ownHits = vulkan.allocate(sizeof(cleave::TraceHit) * kRays);
     const Memory occluded = vulkan.allocate(sizeof(uint32_t) * kRays);
+    const Memory surfaces = vulkan.allocate(sizeof(Surfaces) * kRays);
     std::memcpy(vertices.mapped, triangles.data(), sizeof(Triangle) * kTriangles);
     std::memcpy(rayMemory.mapped, rays.data(), sizeof(cleave::TraceRay) * kRays);
     geometry.vertices = vertices.range.address;
@@ -117,7 +134,8 @@ int main() {
     trace.mode.query = cleave::Query::any;
     trace.hits = anyHits.range.address;
     cleave::cmdTrace(commands, *made.context, trace);
-    const Push push{trace.tree, trace.rays, ownHits.range.address, occluded.range.address, kRays};
+    const Push push{trace.tree, trace.rays, ownHits.range.address, occluded.range.address, surfaces.range.address,
+                    kRays};
     vulkan.dispatch(commands, kOwnTrace, push, (kRays + 63) / 64);
     barrier(commands);
     vulkan.run(commands);
@@ -130,7 +148,17 @@ int main() {
     for (uint32_t i = 0; i < kRays; i++) {
         const auto hit = at<cleave::TraceHit>(hits, i), own = at<cleave::TraceHit>(ownHits, i);
         double nearest = kInfinity;
-        for (const Triangle& t : triangles) nearest = std::min(nearest, intersect(rays[i], t));
+        int32_t crossed = 0, leaving = 0;
+        for (const Triangle& t : triangles) {
+            const double distance = intersect(rays[i], t);
+            nearest = std::min(nearest, distance);
+            if (distance == kInfinity) continue;
+            crossed++;
+            leaving += facesAlong(t, rays[i]) ? 1 : -1;
+        }
+        const auto through = at<Surfaces>(surfaces, i);
+        require(through.oneByOne == crossed && through.counted == crossed, "cleaveFirst, cleaveNext, cleaveCount");
+        require(through.leaving == leaving, "cleaveWinding");
         const bool hitsAny = nearest < kInfinity;
         require(hitsAny == (hit.prim != kNone) && hitsAny == std::isfinite(hit.t), "hit or miss");
         require(!hitsAny || std::fabs(hit.t - nearest) <= 1e-6 * nearest, "t of the closest hit");

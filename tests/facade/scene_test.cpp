@@ -1,7 +1,11 @@
 // cleave/scene.hpp from outside: every builder, lists, budgets, adopted devices, and what is refused.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
+#include <functional>
 #include <limits>
 #include <random>
 
@@ -193,6 +197,160 @@ TEST_F(SceneTest, MistakesAreRefusedInSentences) {
     o.nameOrIndex = "no such device";
     EXPECT_NE(failure([&] { Device none(o); }), "");
     EXPECT_NE(failure([&] { GltfFile("no/such.glb"); }), "");
+}
+
+// A cube of 12 triangles about the middle of the unit cube.
+std::vector<Triangle> cube() {
+    std::vector<Triangle> triangles;
+    const auto corner = [](int bits) {
+        return Point{bits & 1 ? 0.75f : 0.25f, bits & 2 ? 0.75f : 0.25f, bits & 4 ? 0.75f : 0.25f};
+    };
+    const auto add = [&](int a, int b, int c) {
+        Triangle t{};
+        for (const int bits : {a, b, c}) {
+            const Point p = corner(bits);
+            std::copy(p.begin(), p.end(), t.begin() + 3 * (bits == a ? 0 : bits == b ? 1 : 2));
+        }
+        triangles.push_back(t);
+    };
+    for (const auto& face :
+         {std::array{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}) {
+        add(face[0], face[1], face[2]);
+        add(face[0], face[2], face[3]);
+    }
+    return triangles;
+}
+
+// Anywhere about the unit cube, and on the cube.
+std::vector<Point> somePoints() {
+    std::mt19937 random(3);
+    const auto unit = [&] { return static_cast<float>(random() >> 8) * 0x1p-24f; };
+    std::vector<Point> points{{0.25f, 0.5f, 0.5f}, {0.75f, 0.75f, 0.5f}, {0.25f, 0.25f, 0.25f}};
+    for (int i = 0; i < 300; i++) points.push_back({1.5f * unit() - 0.25f, 1.5f * unit() - 0.25f, unit()});
+    return points;
+}
+
+template <class T>
+bool areSameBytes(const std::vector<T>& a, const std::vector<T>& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+}
+
+TEST_F(SceneTest, QueriesOfTreesAreThoseOfTheTwin) {
+    Device device(options());
+    for (const bool isClosed : {false, true}) {
+        Mesh mesh(device, isClosed ? cube() : triangles_);
+        const Twin twin = mesh.twin();
+        const std::vector<Point> points = somePoints();
+        std::vector<Box> boxes;
+        for (const Point& p : points) boxes.push_back({p, {p[0] + 0.1f, p[1], p[2] + 0.2f}});
+        for (const std::string_view builder : {"gpu", "exact"}) {
+            SCOPED_TRACE(builder);
+            const Tree tree = mesh.build(builder);
+            const AllHits all = tree.all(rays_, 5);
+            EXPECT_EQ(all.hits.size(), 5 * rays_.size());
+            EXPECT_TRUE(areSameBytes(all.hits, twin.all(rays_, 5).hits));
+            for (const bool isSigned : {false, true})
+                EXPECT_EQ(tree.count(rays_, isSigned).counts, twin.count(rays_, isSigned).counts);
+            for (const float within : {0.01f, kInfinity})
+                EXPECT_TRUE(areSameBytes(tree.nearest(points, within).hits, twin.nearest(points, within).hits));
+            const Overlaps met = tree.overlaps(boxes);
+            EXPECT_GT(met.pairs.size(), 10u);
+            EXPECT_TRUE(areSameBytes(met.pairs, twin.overlaps(boxes).pairs));
+            if (!isClosed) continue;
+            EXPECT_EQ(tree.contains(points).isInside, twin.contains(points).isInside);
+            EXPECT_EQ(tree.signedDistance(points).distances, twin.signedDistance(points).distances);
+        }
+    }
+}
+
+TEST_F(SceneTest, DistancesAreNegativeInside) {
+    Device device(options());
+    Mesh mesh(device, cube());
+    const std::vector<Point> points = somePoints();
+    const std::vector<float> distances = mesh.build().signedDistance(points).distances;
+    int inside = 0;
+    for (size_t i = 0; i < points.size(); i++) {
+        float most = -1.0f, square = 0.0f;
+        for (const float x : points[i]) {
+            const float beyond = std::fabs(x - 0.5f) - 0.25f;
+            most = std::max(most, beyond);
+            square += beyond > 0.0f ? beyond * beyond : 0.0f;
+        }
+        EXPECT_NEAR(distances[i], most > 0.0f ? std::sqrt(square) : most, 1e-6f) << i;
+        inside += distances[i] < 0.0f;
+    }
+    EXPECT_GT(inside, 10);
+    EXPECT_EQ(distances[0], 0.0f);
+    EXPECT_FALSE(std::signbit(distances[0])) << "on the surface";
+}
+
+TEST_F(SceneTest, QueriesRefuseWhatTheyCannotAnswer) {
+    Device device(options());
+    std::vector<Triangle> open = cube();
+    open.pop_back();
+    Mesh mesh(device, open), closed(device, cube());
+    const Tree tree = mesh.build(), whole = closed.build();
+    const Twin twin = mesh.twin();
+    std::vector<Point> points = somePoints();
+    try {
+        tree.contains(points);
+        FAIL() << "nothing was thrown";
+    } catch (const NotClosed& error) {
+        EXPECT_EQ(error.openEdges, 3u);
+        EXPECT_NE(std::string(error.what()).find("3 edges"), std::string::npos);
+    }
+    EXPECT_THROW(tree.signedDistance(points), NotClosed);
+    EXPECT_THROW(twin.contains(points), NotClosed);
+    const std::vector<uint32_t> most{0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
+    EXPECT_THROW(closed.build("gpu", {}, most).contains(points), NotClosed);
+    points[7][1] = NAN;
+    points[9][0] = kInfinity;
+    const auto row = [](const std::function<void()>& call) {
+        try {
+            call();
+        } catch (const BadItem& error) {
+            return static_cast<int>(error.row);
+        }
+        return -1;
+    };
+    EXPECT_EQ(row([&] { whole.nearest(points); }), 7);
+    EXPECT_EQ(row([&] { whole.contains(points); }), 7);
+    EXPECT_EQ(row([&] { whole.signedDistance(points); }), 7);
+    EXPECT_EQ(row([&] { twin.nearest(points); }), 7);
+    std::vector<Box> boxes(3, Box{{0, 0, 0}, {1, 1, 1}});
+    boxes[2].lo[2] = 2.0f;
+    EXPECT_EQ(row([&] { whole.overlaps(boxes); }), 2);
+    boxes[1].hi[0] = NAN;
+    EXPECT_EQ(row([&] { whole.overlaps(boxes); }), 1);
+    EXPECT_NE(failure([&] { tree.all(rays_, 0); }), "");
+    EXPECT_NE(failure([&] { tree.all(rays_, (1u << 20) + 1); }), "");
+    EXPECT_NE(failure([&] { tree.nearest({}, -1.0f); }), "");
+    EXPECT_NE(failure([&] { tree.nearest({}, NAN); }), "");
+    TraceMode counting;
+    counting.query = Query::count;
+    EXPECT_NE(failure([&] { tree.trace(rays_, counting); }), "");
+    EXPECT_EQ(tree.all({}, 3).hits.size() + whole.contains({}).isInside.size(), 0u);
+}
+
+TEST_F(SceneTest, ASavedTreeAnswersAsTheOneThatWasSaved) {
+    Device device(options());
+    Mesh mesh(device, triangles_), other(device, cube());
+    for (const std::string_view builder : {"gpu", "exact", "brute"}) {
+        const Tree tree = mesh.build(builder);
+        std::vector<std::byte> saved = tree.save();
+        const Tree loaded = mesh.load(saved);
+        EXPECT_EQ(loaded.counts().nodes, tree.counts().nodes);
+        EXPECT_EQ(loaded.counts().triangles, tree.counts().triangles);
+        EXPECT_TRUE(areSameBytes(loaded.trace(rays_).hits, tree.trace(rays_).hits));
+        EXPECT_EQ(loaded.save(), saved);
+        EXPECT_NE(failure([&] { other.load(saved); }).find("other triangles"), std::string::npos);
+        saved.pop_back();
+        EXPECT_NE(failure([&] { mesh.load(saved); }), "");
+    }
+    const std::vector<uint32_t> list{1, 2};
+    EXPECT_NE(failure([&] { mesh.build("gpu", {}, list).save(); }), "");
+    Mesh empty(device, {});
+    EXPECT_EQ(empty.load(empty.build().save()).counts().references, 0u);
 }
 
 TEST_F(SceneTest, AFileIsLoadedAndPosed) {

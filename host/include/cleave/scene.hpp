@@ -10,9 +10,11 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -145,6 +147,60 @@ struct Answers {
     uint64_t unfinishedRays = 0;    // given up after 2^30 steps: none, in trees of builders()
 };
 
+using Point = std::array<float, 3>;
+
+// A closed box. It may be flat, or a point.
+struct Box {
+    Point lo;
+    Point hi;
+};
+
+// What a query refuses: a point that is not finite, a box with lo > hi or a part that is no number.
+class BadItem : public std::runtime_error {
+  public:
+    BadItem(const std::string& text, size_t firstBad) : std::runtime_error(text), row(firstBad) {}
+    size_t row;  // the first that is bad
+};
+
+// Inside and outside are asked of a surface that is not closed.
+class NotClosed : public std::runtime_error {
+  public:
+    NotClosed(const std::string& text, uint64_t edges) : std::runtime_error(text), openEdges(edges) {}
+    uint64_t openEdges;  // that belong to an odd number of triangles
+};
+
+// Answers to queries; docs/queries.md says what each promises. `ms` is the time on the device, or of the host.
+struct AllHits {
+    std::vector<TraceHit> hits;  // hitsPerRay of each ray: by t, then by number; misses fill up its row
+    double ms = 0.0;
+    uint64_t invalidRays = 0;
+};
+struct Counts {
+    std::vector<int32_t> counts;  // one per ray; 0 for one that is not valid
+    double ms = 0.0;
+    uint64_t invalidRays = 0;
+};
+struct Nearest {
+    std::vector<TraceHit> hits;  // one per point; t is the distance
+    double ms = 0.0;
+};
+struct Contained {
+    std::vector<uint8_t> isInside;  // one per point: 1 inside or on the surface, else 0
+    double ms = 0.0;
+};
+struct SignedDistances {
+    std::vector<float> distances;  // one per point: negative inside, 0 on the surface
+    double ms = 0.0;
+};
+struct Overlap {
+    uint32_t box;
+    uint32_t triangle;
+};
+struct Overlaps {
+    std::vector<Overlap> pairs;  // ascending
+    double ms = 0.0;
+};
+
 // A tree on the device.
 class Tree {
   public:
@@ -157,6 +213,19 @@ class Tree {
     // `from`: hits of another tree over the same mesh to go on from, one per ray; empty: none.
     Answers trace(std::span<const TraceRay> rays, const TraceMode& mode = {},
                   std::span<const TraceHit> from = {}) const;
+
+    // All hits of rays, edges and vertices of closed surfaces once. hitsPerRay is from 1 to 2^20.
+    AllHits all(std::span<const TraceRay> rays, uint32_t hitsPerRay) const;
+    Counts count(std::span<const TraceRay> rays, bool isSigned = false) const;
+    // The nearest triangle that is at most `within` away. Throws BadItem, as the others do that ask about points.
+    Nearest nearest(std::span<const Point> points, float within = std::numeric_limits<float>::infinity()) const;
+    // Throw NotClosed unless each edge belongs to an even number of the tree's triangles.
+    Contained contains(std::span<const Point> points) const;
+    SignedDistances signedDistance(std::span<const Point> points) const;
+    Overlaps overlaps(std::span<const Box> boxes) const;
+
+    // The tree as bytes, for Mesh::load(). A tree over a list of triangles has none.
+    std::vector<std::byte> save() const;
 
   private:
     friend class Mesh;
@@ -175,6 +244,26 @@ struct Judgement {
     std::string firstMismatch;  // a sentence; empty if there is none
 };
 
+// The same queries on the CPU, over all triangles and plainly: answers are those of trees, bit for bit.
+class Twin {
+  public:
+    ~Twin();
+    Twin(Twin&&) noexcept;
+
+    AllHits all(std::span<const TraceRay> rays, uint32_t hitsPerRay) const;
+    Counts count(std::span<const TraceRay> rays, bool isSigned = false) const;
+    Nearest nearest(std::span<const Point> points, float within = std::numeric_limits<float>::infinity()) const;
+    Contained contains(std::span<const Point> points) const;
+    SignedDistances signedDistance(std::span<const Point> points) const;
+    Overlaps overlaps(std::span<const Box> boxes) const;
+
+  private:
+    friend class Mesh;
+    struct State;
+    explicit Twin(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
 // Triangles on the host and, once they are needed there, on the device.
 class Mesh {
   public:
@@ -185,6 +274,9 @@ class Mesh {
     // `list`: ascending numbers of the triangles that the tree is built over; empty: all.
     Tree build(std::string_view builder = "gpu", const BuildSettings& settings = {},
                std::span<const uint32_t> list = {});
+    // A tree of these triangles from the bytes of Tree::save(). Refuses others, and what was changed or cut.
+    Tree load(std::span<const std::byte> saved);
+    Twin twin(uint32_t threads = 2) const;
     // Judges up to `count` of the rays, spread evenly. hits[i] answers rays[i] over all triangles of the mesh.
     Judgement judge(std::span<const TraceRay> rays, std::span<const TraceHit> hits, Query query, uint64_t count,
                     uint32_t threads = 2);

@@ -1,4 +1,4 @@
-#include "shared/exact_height.h"
+#include "shared/exact.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,7 @@ namespace cleave {
 namespace {
 
 using test::exactly;
+using test::operator-;
 using test::Rational;
 
 // As they come to traversal: triangles of at most 1, origins of at most 4, nothing below the smallest normal float.
@@ -47,7 +48,7 @@ TEST(ExactHeight, EqualsRationals) {
         std::mt19937 random(seed);
         const Origin k = anyOrigin(random);
         const Rational truth = test::RationalCase(k.o, vec3(1.0f), k.t).height();
-        const double own = exactHeight(dvec3(k.o), dvec3(k.t.a), dvec3(k.t.b), dvec3(k.t.c));
+        const double own = exactDeterminant(k.t.a, true, k.t.b, k.t.c, true, k.o);
         ASSERT_EQ((own > 0.0) - (own < 0.0), sgn(truth));
         const Rational error = abs(exactly(own) - truth), allowed = abs(truth) * exactly(0x1p-51);
         ASSERT_LE(error, allowed);
@@ -56,6 +57,61 @@ TEST(ExactHeight, EqualsRationals) {
     }
     EXPECT_GT(zeros, 1000);
     EXPECT_GT(tiny, 1000);
+}
+
+// Vectors of any size and as nearly dependent as floats have them: whole coordinates of a plane through `o`, each axis
+// times a power of two of its own; or coordinates of all sizes, and two vectors alike. Then one coordinate moved by
+// anything, or none.
+struct Vectors {
+    vec3 x, a, b, o;
+};
+Vectors anyVectors(std::mt19937& random) {
+    const auto whole = [&](int most) { return static_cast<int>(random() % static_cast<uint>(2 * most + 1)) - most; };
+    const auto point = [&](int most) { return vec3(whole(most), whole(most), whole(most)); };
+    const vec3 e = point(99), f = point(99);
+    const auto inPlane = [&] {
+        const auto i = static_cast<float>(whole(99)), j = static_cast<float>(whole(99));
+        return i * e + j * f;
+    };
+    Vectors v{inPlane(), inPlane(), inPlane(), inPlane()};
+    if (random() % 4 == 0) v.o = point(1 << 20);
+    const bool areOfAllSizes = random() % 4 == 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int exponent = whole(100);
+        for (vec3* w : {&v.x, &v.a, &v.b, &v.o})
+            (*w)[axis] =
+                areOfAllSizes ? std::ldexp(test::anyFloat(random, 1.0f), whole(126)) : std::ldexp((*w)[axis], exponent);
+    }
+    if (areOfAllSizes) (random() % 2 == 0 ? v.x : v.b) = v.a;
+    vec3* const moved[] = {&v.x, &v.a, &v.b, &v.o};
+    float& coordinate = (*moved[random() % 4])[static_cast<int>(random() % 3)];
+    if (random() % 4 != 0) coordinate += std::ldexp(test::anyFloat(random, 1.0f), whole(120));
+    if (random() % 4 == 0) coordinate = std::nextafter(coordinate, 0.0f);
+    for (vec3* w : moved) *w = flushedPoint(*w);
+    return v;
+}
+
+TEST(ExactDeterminant, EqualsRationalsForFloatsOfAnySize) {
+    int zeros = 0, tiny = 0, large = 0;
+    for (uint seed = 0; seed < 100000; ++seed) {
+        SCOPED_TRACE(seed);
+        std::mt19937 random(seed);
+        const Vectors v = anyVectors(random);
+        const bool xIsPoint = seed % 2 == 0, bIsPoint = seed % 4 < 2;
+        const test::RationalVec o = exactly(v.o), nothing = exactly(vec3(0.0f));
+        const Rational truth = test::determinant(exactly(v.x) - (xIsPoint ? o : nothing), exactly(v.a) - o,
+                                                 exactly(v.b) - (bIsPoint ? o : nothing));
+        const double own = exactDeterminant(v.x, xIsPoint, v.a, v.b, bIsPoint, v.o);
+        ASSERT_EQ((own > 0.0) - (own < 0.0), sgn(truth));
+        const Rational error = abs(exactly(own) - truth), allowed = abs(truth) * exactly(0x1p-51);
+        ASSERT_LE(error, allowed);
+        zeros += truth == 0 ? 1 : 0;
+        tiny += truth != 0 && abs(truth) < exactly(0x1p-150) ? 1 : 0;
+        large += abs(truth) > exactly(0x1p150) ? 1 : 0;
+    }
+    EXPECT_GT(zeros, 1000);
+    EXPECT_GT(tiny, 500);
+    EXPECT_GT(large, 1000);
 }
 
 // The bound of the double's error, and with it when the exact sum is needed.
