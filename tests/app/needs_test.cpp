@@ -119,7 +119,7 @@ TEST_F(NeedsOfPrograms, EachPartIsLeftOutWhereItIsNotNeeded) {
         {"vertexColours", {cornell, {}}, {ours("features/vertex_colours.glb"), {}}},
         {"normals", {cornell, {}}, {ours("features/smooth_normals.glb"), {}}},
         {"alphaTest", {cornell, {}}, {ours("features/alpha.glb"), {}}},
-        {"emitters", {triangle, {"--view", "path"}}, {cornell, {"--view", "path"}}},
+        {"emitters", {triangle, {"--view", "path"}}, {ours("features/emissive.glb"), {"--view", "path"}}},
         {"backFaces", {at("two.gltf"), {}}, {triangle, {}}},
         {"animation", {moving, {}}, {moving, {"--time", "0.5"}}},
         {"zAxis", {triangle, {}}, {cornell, {}}},
