@@ -93,9 +93,10 @@ void insert(inout CrossingList list, float low, float high, uint index) {
 
 // Whether there is room, or the last is certainly behind all others and the new one.
 bool fits(CrossingList list, float high, uint index) {
-    float last = list.low[kLastCrossing];
-    bool isLess = high < last || (high == last && last == list.high[kLastCrossing] && index < list.index[kLastCrossing]);
-    return !isFull(list) || (isLess && list.high[kLastCrossing - 1u] <= last);
+    float low = list.low[kLastCrossing];
+    bool isPoint = low == list.high[kLastCrossing];
+    bool isBefore = high < low || (isPoint && high == low && index < list.index[kLastCrossing]);
+    return !isFull(list) || (isBefore && list.high[kLastCrossing - 1u] <= low);
 }
 
 // The scaled t up to which crossings can still enter the list.
