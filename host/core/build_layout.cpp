@@ -49,6 +49,7 @@ BuildCounts countsOf(const BuildInfo& info) noexcept {
     n.leafRefs = c.leafRefs;
     n.chunks = chunkCapacity(c.refs, info.exactUpTo);
     n.refBlocks = ceilDiv64(c.refs, kBlock);
+    n.workers = std::min<uint64_t>(n.refBlocks, kWorkers);
     n.nodeBlocks = ceilDiv64(c.levelNodes, kBlock);
     n.triangles = triangleCountOf(info);
     n.geometries = info.geometryCount;

@@ -13,7 +13,7 @@ shared uint rightCount;
 
 uint classified(PrimRef r) {
     Split s = nodesIn().at[r.node].split;
-    if (s.axis == kLeafAxis) return 0u;
+    if (s.axis >= kLeafAxis) return 0u;
     return sideOf(r.lo[s.axis], r.hi[s.axis], s.position, s.planarLeft);
 }
 
@@ -71,5 +71,7 @@ void main() {
     atomicAdd(leftCount, left);
     atomicAdd(rightCount, right);
     barrier();
-    if (gl_LocalInvocationID.x == 0u) args.blockSums.at[block] = uvec4(leftCount, rightCount, 0u, 0u);
+    if (gl_LocalInvocationID.x != 0u) return;
+    args.blockSums.at[block].x = leftCount;
+    args.blockSums.at[block].y = rightCount;
 }

@@ -1,0 +1,362 @@
+#version 460
+// Builds small nodes to their leaves (Zhou et al. 2008, their small nodes). A workgroup takes block after block of
+// references and builds the nodes that begin in it, level by level, an invocation per node. References stay where they
+// are and levels list them; what is clipped becomes new references, made by all invocations together.
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
+#include "lib/build.glsl"
+#include "lib/group_sum.glsl"
+#include "shared/clip.h"
+
+layout(local_size_x_id = 0) in;
+
+shared uint cutCount;
+shared uvec4 groupTotal;
+
+// What invocations wrote to memory is seen by all others.
+void meet() {
+    memoryBarrierBuffer();
+    barrier();
+}
+
+// The workgroup's part of the arrays: where its references begin, and its level's list and nodes.
+uint refBase;
+uint listBase;
+uint nodeBase;
+uint splitBase;
+
+PrimRef refAt(uint k) { return args.workRefs.at[refBase + args.workLists.at[listBase + k]]; }
+
+// The cheaper one, as betterOf(), but without branches; axes come in order.
+Split cheaper(Split best, Box cell, uint axis, float position, uint left, uint right, uint planarLeft, bool counts) {
+    float cost = splitCost(args.costs, cell, axis, position, left, right);
+    bool isInside = counts && cell.lo[axis] < position && position < cell.hi[axis];
+    bool wins = cost < best.cost || (cost == best.cost && axis == best.axis && position < best.position);
+    if (isInside && wins) {
+        best.cost = cost;
+        best.axis = axis;
+        best.position = position;
+        best.planarLeft = planarLeft;
+    }
+    return best;
+}
+
+// With the faces of up to four boxes, from `from` on, of a node's references.
+Split withFaces(Split best, WorkNode node, uint axis, uint from) {
+    vec4 lo;
+    vec4 hi;
+    uint last = node.first + node.count - 1u;
+    [[unroll]] for (uint u = 0u; u < 4u; u++) {
+        uint r = refBase + args.workLists.at[listBase + min(node.first + from + u, last)];
+        lo[u] = args.workRefs.at[r].lo[axis];
+        hi[u] = args.workRefs.at[r].hi[axis];
+    }
+    uvec4 loLeft = uvec4(0u);
+    uvec4 loRight = uvec4(0u);
+    uvec4 hiLeft = uvec4(0u);
+    uvec4 hiRight = uvec4(0u);
+    bool anyFlat = false;
+    for (uint k = node.first; k <= last; k++) {
+        uint r = refBase + args.workLists.at[listBase + k];
+        float otherLo = args.workRefs.at[r].lo[axis];
+        float otherHi = args.workRefs.at[r].hi[axis];
+        loLeft += uvec4(lessThan(vec4(otherLo), lo));
+        loRight += uvec4(greaterThan(vec4(otherHi), lo));
+        hiLeft += uvec4(lessThan(vec4(otherLo), hi));
+        hiRight += uvec4(greaterThan(vec4(otherHi), hi));
+        anyFlat = anyFlat || otherLo == otherHi;
+    }
+    uvec4 loPlanar = uvec4(0u);
+    uvec4 hiPlanar = uvec4(0u);
+    if (anyFlat) {  // rare
+        for (uint k = node.first; k <= last; k++) {
+            uint r = refBase + args.workLists.at[listBase + k];
+            float otherLo = args.workRefs.at[r].lo[axis];
+            uvec4 isFlat = uvec4(otherLo == args.workRefs.at[r].hi[axis] ? 1u : 0u);
+            loPlanar += isFlat * uvec4(equal(vec4(otherLo), lo));
+            hiPlanar += isFlat * uvec4(equal(vec4(otherLo), hi));
+        }
+    }
+    [[unroll]] for (uint u = 0u; u < 4u; u++) {
+        best = cheaper(best, node.cell, axis, lo[u], loLeft[u] + loPlanar[u], loRight[u], 1u, true);
+        best = cheaper(best, node.cell, axis, hi[u], hiLeft[u] + hiPlanar[u], hiRight[u], 1u, true);
+    }
+    if (anyFlat) {
+        [[unroll]] for (uint u = 0u; u < 4u; u++) {
+            best = cheaper(best, node.cell, axis, lo[u], loLeft[u], loRight[u] + loPlanar[u], 0u, loPlanar[u] > 0u);
+            best = cheaper(best, node.cell, axis, hi[u], hiLeft[u], hiRight[u] + hiPlanar[u], 0u, hiPlanar[u] > 0u);
+        }
+    }
+    return best;
+}
+
+// Which references go where; those that straddle the plane are to be cut.
+WorkSplit divided(WorkNode node, Split s, uint k) {
+    WorkSplit w;
+    w.axis = s.axis;
+    w.position = s.position;
+    w.left = 0u;
+    w.right = 0u;
+    for (uint i = 0u; i < node.count; i++) {
+        uint r = refBase + args.workLists.at[listBase + node.first + i];
+        uint side = sideOf(args.workRefs.at[r].lo[s.axis], args.workRefs.at[r].hi[s.axis], s.position, s.planarLeft);
+        w.left |= (side & kLeft) << i;
+        w.right |= (side >> 1) << i;
+    }
+    w.both = w.left & w.right;
+    w.cut = atomicAdd(cutCount, bitCount(w.both));
+    uint next = w.cut;
+    for (uint rest = w.both; rest != 0u && next < kWorkRefs / 2u; rest &= rest - 1u) {
+        WorkCut c;
+        c.bit = lowestBit(rest);
+        c.ref = args.workLists.at[listBase + node.first + c.bit];
+        c.node = k;
+        args.workCuts.at[refBase / 2u + next] = c;
+        next++;
+    }
+    return w;
+}
+
+void splitNode(uint k, uint depth) {
+    WorkNode node = args.workNodes.at[nodeBase + k];
+    Split best = noSplit();
+    for (uint axis = 0u; axis < 3u; axis++) {
+        for (uint from = 0u; from < node.count; from += 4u) best = withFaces(best, node, axis, from);
+    }
+    WorkSplit w;
+    w.axis = kLeafAxis;
+    w.left = 0u;
+    w.right = 0u;
+    if (isWorthwhile(args.costs, best, node.cell, node.count, depth, args.state.at.maxDepth)) w = divided(node, best, k);
+    args.workSplits.at[splitBase + k] = w;
+}
+
+// Makes the two parts of a reference, at `at`; one without a point of the triangle goes nowhere.
+void cut(uint c, uint at) {
+    WorkCut w = args.workCuts.at[refBase / 2u + c];
+    PrimRef r = args.workRefs.at[refBase + w.ref];
+    uint axis = args.workSplits.at[splitBase + w.node].axis;
+    float position = args.workSplits.at[splitBase + w.node].position;
+    Box box;
+    box.lo = r.lo;
+    box.hi = r.hi;
+    SplitBoxes parts;
+    if (args.clip != 0u) {
+        parts = splitBoxes(withoutNumber(args.triangles.at[r.prim]), box, axis, position);
+    } else {
+        parts.left = leftOf(box, axis, position);
+        parts.right = rightOf(box, axis, position);
+    }
+    r.lo = parts.left.lo;
+    r.hi = parts.left.hi;
+    args.workRefs.at[refBase + at] = r;
+    r.lo = parts.right.lo;
+    r.hi = parts.right.hi;
+    args.workRefs.at[refBase + at + 1u] = r;
+    if (isEmpty(parts.left)) atomicAnd(args.workSplits.at[splitBase + w.node].left, ~(1u << w.bit));
+    if (isEmpty(parts.right)) atomicAnd(args.workSplits.at[splitBase + w.node].right, ~(1u << w.bit));
+}
+
+// What a node adds: splits, references of the next level, references in leaves, nodes of the next level.
+uvec4 additions(uint k) {
+    WorkSplit w = args.workSplits.at[splitBase + k];
+    if (w.axis == kLeafAxis) return uvec4(0u, 0u, args.workNodes.at[nodeBase + k].count, 0u);
+    uint left = bitCount(w.left);
+    uint right = bitCount(w.right);
+    return uvec4(1u, left + right, 0u, min(left, 1u) + min(right, 1u));
+}
+
+// A child: a node of the next level, or an empty leaf.
+void putChild(uint block, Box cell, uint first, uint count, uint number, uint next, uint leafRef) {
+    if (count == 0u) {
+        args.stagedNodes.at[block * kStagedNodes + number] = leafNode(leafRef, 0u);
+        return;
+    }
+    WorkNode n;
+    n.cell = cell;
+    n.first = first;
+    n.count = count;
+    n.staged = number;
+    args.workNodes.at[(nodeBase ^ kWorkNodes) + next] = n;
+}
+
+// Stages a node, and hands its references on. `before`: what the nodes before it add. `at`: where the parts of cut
+// references are.
+void putNode(Subtrees s, uint block, uint k, uvec4 before, uint at) {
+    WorkNode node = args.workNodes.at[nodeBase + k];
+    WorkSplit w = args.workSplits.at[splitBase + k];
+    uint leafRef = s.leafRefs + before.z;
+    if (w.axis == kLeafAxis) {
+        args.stagedNodes.at[block * kStagedNodes + node.staged] = leafNode(leafRef, node.count);
+        for (uint i = 0u; i < node.count; i++) {
+            args.stagedRefs.at[block * kStagedRefs + leafRef + i] = refAt(node.first + i).prim;
+        }
+        return;
+    }
+    uint child = s.nodes + 2u * before.x;
+    args.stagedNodes.at[block * kStagedNodes + node.staged] = innerNode(w.axis, w.position, child);
+    uint leftCount = bitCount(w.left);
+    uint rightCount = bitCount(w.right);
+    uint toLeft = (listBase ^ kWorkList) + before.y;
+    uint toRight = toLeft + leftCount;
+    uint part = at + 2u * w.cut;
+    for (uint i = 0u; i < node.count; i++) {
+        uint bit = 1u << i;
+        uint left = args.workLists.at[listBase + node.first + i];
+        uint right = left;
+        if ((w.both & bit) != 0u) {
+            left = part;
+            right = part + 1u;
+            part += 2u;
+        }
+        if ((w.left & bit) != 0u) {
+            args.workLists.at[toLeft] = left;
+            toLeft++;
+        }
+        if ((w.right & bit) != 0u) {
+            args.workLists.at[toRight] = right;
+            toRight++;
+        }
+    }
+    putChild(block, leftOf(node.cell, w.axis, w.position), before.y, leftCount, child, before.w, leafRef);
+    putChild(block, rightOf(node.cell, w.axis, w.position), before.y + leftCount, rightCount, child + 1u,
+             before.w + min(leftCount, 1u), leafRef);
+}
+
+// Sums up over the workgroup; `mine` becomes the sum of the invocations before.
+uvec4 total(inout uvec4 mine) {
+    uvec4 before = sumBefore(mine, gl_WorkGroupSize.x);
+    if (gl_LocalInvocationID.x == gl_WorkGroupSize.x - 1u) groupTotal = before + mine;
+    mine = before;
+    barrier();
+    return groupTotal;
+}
+
+// The nodes of the level [first, end) that are to be built become the first level of subtrees. How many: x, and their
+// references: y.
+uvec4 takeRoots(uint first, uint end) {
+    uint i = gl_LocalInvocationID.x;
+    uint run = ceilDiv(end - first, gl_WorkGroupSize.x);
+    uint from = first + i * run;
+    uint to = min(from + run, end);
+    uvec4 sum = uvec4(0u);
+    for (uint n = from; n < to; n++) {
+        uint count = nodesIn().at[n].count;
+        if (isSubtree(count, args.exactUpTo)) sum += uvec4(1u, count, 0u, 0u);
+    }
+    uvec4 all = total(sum);
+    for (uint n = from; n < to; n++) {
+        BuildNode node = nodesIn().at[n];
+        if (!isSubtree(node.count, args.exactUpTo)) continue;
+        WorkNode w;
+        w.cell = node.cell;
+        w.first = sum.y;
+        w.count = node.count;
+        w.staged = sum.x;
+        args.workNodes.at[nodeBase + sum.x] = w;
+        for (uint k = 0u; k < node.count; k++) {
+            args.workRefs.at[refBase + sum.y + k] = refsIn().at[node.first + k];
+            args.workLists.at[listBase + sum.y + k] = sum.y + k;
+        }
+        sum += uvec4(1u, node.count, 0u, 0u);
+    }
+    return all;
+}
+
+// Builds the subtrees of the roots; what became of them. Without nodes if they outgrow the workgroup.
+Subtrees grown(uint block, uvec4 roots) {
+    Subtrees s;
+    s.roots = roots.x;
+    s.nodes = roots.x;
+    s.leafRefs = 0u;
+    s.levels = 0u;
+    uint refs = roots.y;
+    uint i = gl_LocalInvocationID.x;
+    for (uint count = roots.x; count > 0u;) {
+        if (i == 0u) cutCount = 0u;
+        meet();
+        for (uint k = i; k < count; k += gl_WorkGroupSize.x) splitNode(k, push.depth + s.levels);
+        meet();
+        uint cuts = cutCount;
+        bool fits = refs + 2u * cuts <= kWorkRefs;
+        for (uint c = i; fits && c < cuts; c += gl_WorkGroupSize.x) cut(c, refs + 2u * c);
+        meet();
+        uint run = ceilDiv(count, gl_WorkGroupSize.x);
+        uint from = i * run;
+        uint to = min(from + run, count);
+        uvec4 sum = uvec4(0u);
+        for (uint k = from; k < to; k++) sum += additions(k);
+        uvec4 all = total(sum);
+        if (!fits || all.y > kWorkList || all.w > kWorkNodes || s.nodes + 2u * all.x > kStagedNodes || s.leafRefs + all.z > kStagedRefs) {
+            s.nodes = 0u;
+            break;
+        }
+        for (uint k = from; k < to; k++) {
+            putNode(s, block, k, sum, refs);
+            sum += additions(k);
+        }
+        s.nodes += 2u * all.x;
+        s.leafRefs += all.z;
+        s.levels++;
+        refs += 2u * cuts;
+        count = all.w;
+        listBase ^= kWorkList;
+        nodeBase ^= kWorkNodes;
+        meet();
+    }
+    return s;
+}
+
+void buildBlock(uint block) {
+    BuildNodeArray level = nodesIn();
+    uint i = gl_LocalInvocationID.x;
+    uint end = min((block + 1u) * kBlock, thisLevel.refCount);
+    uint first = refsIn().at[block * kBlock].node;
+    if (level.at[first].first < block * kBlock) first++;
+    uint last = refsIn().at[end - 1u].node;
+    uvec4 roots = takeRoots(first, last + 1u);
+    meet();
+    if (push.depth >= args.state.at.maxDepth) roots.x = 0u;
+    Subtrees s = grown(block, roots);
+    s.firstNode = first;
+    s.endNode = last + 1u;
+    bool built = s.nodes > 0u;
+    if (!built) {
+        s.firstNode = 0u;
+        s.endNode = 0u;
+        s.roots = 0u;
+        s.leafRefs = 0u;
+        s.levels = 0u;
+    }
+    if (i == 0u) {
+        args.subtrees.at[block] = s;
+        args.blockSums.at[block] = uvec4(0u, 0u, s.nodes - s.roots, s.leafRefs);
+    }
+    uint run = ceilDiv(s.endNode - s.firstNode, gl_WorkGroupSize.x);
+    uint from = first + i * run;
+    uint to = built ? min(from + run, last + 1u) : from;
+    uvec4 sum = uvec4(0u);
+    for (uint n = from; n < to; n++) sum.x += isSubtree(level.at[n].count, args.exactUpTo) ? 1u : 0u;
+    total(sum);
+    for (uint n = from; n < to; n++) {
+        if (!isSubtree(level.at[n].count, args.exactUpTo)) continue;
+        level.at[n].split.axis = kSubtreeAxis;
+        level.at[n].child = sum.x;
+        sum.x++;
+    }
+}
+
+void main() {
+    uint blocks = ceilDiv(thisLevel.refCount, kBlock);
+    uint workers = min(blocks, kWorkers);
+    uint worker = groupIndex();
+    if (worker >= workers) return;
+    refBase = worker * kWorkRefs;
+    listBase = worker * 2u * kWorkList;
+    nodeBase = worker * 2u * kWorkNodes;
+    splitBase = worker * kWorkNodes;
+    for (uint block = worker; block < blocks; block += workers) {
+        buildBlock(block);
+        meet();
+    }
+}
