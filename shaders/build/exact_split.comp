@@ -143,7 +143,7 @@ void main() {
     end = isSplitHere(node) ? node.first + node.count : node.first;
     uint stride = gl_WorkGroupSize.x * kRefsPerLane;
     for (uint k = begin + gl_LocalInvocationID.x * kRefsPerLane; k < end; k += stride) findBestFaces(k, end, begin);
-    barrier();
+    meet();
     for (uint n = firstNode + gl_LocalInvocationID.x; n <= lastNode; n += gl_WorkGroupSize.x) {
         node = nodes.at[n];
         if (!isSplitHere(node)) continue;

@@ -11,25 +11,35 @@
 layout(local_size_x_id = 0) in;
 
 shared uint cutCount;
+shared uint sizeCounts[4];
 shared uvec4 groupTotal;
 
-// What invocations wrote to memory is seen by all others.
-void meet() {
-    memoryBarrierBuffer();
-    barrier();
-}
-
 // The workgroup's part of the arrays: where its references begin, and its level's list and nodes.
+PrimRefArray workRefs;
+UintArray lists;
+SahCosts costs;
 uint refBase;
 uint listBase;
 uint nodeBase;
 uint splitBase;
 
-PrimRef refAt(uint k) { return args.workRefs.at[refBase + args.workLists.at[listBase + k]]; }
+// Nodes of like size are split at the same time, so that invocations do not wait for each other.
+void sortIn(uint k, uint count) {
+    uint size = uint(count > 4u) + uint(count > 8u) + uint(count > 16u);
+    uint at = atomicAdd(sizeCounts[size], 1u);
+    args.workOrder.at[4u * splitBase + size * kWorkNodes + at] = k;
+}
+uint sorted(uint k) {
+    uint size = 0u;
+    for (; size < 3u && k >= sizeCounts[size]; size++) k -= sizeCounts[size];
+    return args.workOrder.at[4u * splitBase + size * kWorkNodes + k];
+}
+
+PrimRef refAt(uint k) { return workRefs.at[refBase + lists.at[listBase + k]]; }
 
 // The cheaper one, as betterOf(), but without branches; axes come in order.
 Split cheaper(Split best, Box cell, uint axis, float position, uint left, uint right, uint planarLeft, bool counts) {
-    float cost = splitCost(args.costs, cell, axis, position, left, right);
+    float cost = splitCost(costs, cell, axis, position, left, right);
     bool isInside = counts && cell.lo[axis] < position && position < cell.hi[axis];
     bool wins = cost < best.cost || (cost == best.cost && axis == best.axis && position < best.position);
     if (isInside && wins) {
@@ -47,9 +57,9 @@ Split withFaces(Split best, WorkNode node, uint axis, uint from) {
     vec4 hi;
     uint last = node.first + node.count - 1u;
     [[unroll]] for (uint u = 0u; u < 4u; u++) {
-        uint r = refBase + args.workLists.at[listBase + min(node.first + from + u, last)];
-        lo[u] = args.workRefs.at[r].lo[axis];
-        hi[u] = args.workRefs.at[r].hi[axis];
+        uint r = refBase + lists.at[listBase + min(node.first + from + u, last)];
+        lo[u] = workRefs.at[r].lo[axis];
+        hi[u] = workRefs.at[r].hi[axis];
     }
     uvec4 loLeft = uvec4(0u);
     uvec4 loRight = uvec4(0u);
@@ -57,9 +67,9 @@ Split withFaces(Split best, WorkNode node, uint axis, uint from) {
     uvec4 hiRight = uvec4(0u);
     bool anyFlat = false;
     for (uint k = node.first; k <= last; k++) {
-        uint r = refBase + args.workLists.at[listBase + k];
-        float otherLo = args.workRefs.at[r].lo[axis];
-        float otherHi = args.workRefs.at[r].hi[axis];
+        uint r = refBase + lists.at[listBase + k];
+        float otherLo = workRefs.at[r].lo[axis];
+        float otherHi = workRefs.at[r].hi[axis];
         loLeft += uvec4(lessThan(vec4(otherLo), lo));
         loRight += uvec4(greaterThan(vec4(otherHi), lo));
         hiLeft += uvec4(lessThan(vec4(otherLo), hi));
@@ -70,9 +80,9 @@ Split withFaces(Split best, WorkNode node, uint axis, uint from) {
     uvec4 hiPlanar = uvec4(0u);
     if (anyFlat) {  // rare
         for (uint k = node.first; k <= last; k++) {
-            uint r = refBase + args.workLists.at[listBase + k];
-            float otherLo = args.workRefs.at[r].lo[axis];
-            uvec4 isFlat = uvec4(otherLo == args.workRefs.at[r].hi[axis] ? 1u : 0u);
+            uint r = refBase + lists.at[listBase + k];
+            float otherLo = workRefs.at[r].lo[axis];
+            uvec4 isFlat = uvec4(otherLo == workRefs.at[r].hi[axis] ? 1u : 0u);
             loPlanar += isFlat * uvec4(equal(vec4(otherLo), lo));
             hiPlanar += isFlat * uvec4(equal(vec4(otherLo), hi));
         }
@@ -98,8 +108,8 @@ WorkSplit divided(WorkNode node, Split s, uint k) {
     w.left = 0u;
     w.right = 0u;
     for (uint i = 0u; i < node.count; i++) {
-        uint r = refBase + args.workLists.at[listBase + node.first + i];
-        uint side = sideOf(args.workRefs.at[r].lo[s.axis], args.workRefs.at[r].hi[s.axis], s.position, s.planarLeft);
+        uint r = refBase + lists.at[listBase + node.first + i];
+        uint side = sideOf(workRefs.at[r].lo[s.axis], workRefs.at[r].hi[s.axis], s.position, s.planarLeft);
         w.left |= (side & kLeft) << i;
         w.right |= (side >> 1) << i;
     }
@@ -109,7 +119,7 @@ WorkSplit divided(WorkNode node, Split s, uint k) {
     for (uint rest = w.both; rest != 0u && next < kWorkRefs / 2u; rest &= rest - 1u) {
         WorkCut c;
         c.bit = lowestBit(rest);
-        c.ref = args.workLists.at[listBase + node.first + c.bit];
+        c.ref = lists.at[listBase + node.first + c.bit];
         c.node = k;
         args.workCuts.at[refBase / 2u + next] = c;
         next++;
@@ -127,14 +137,14 @@ void splitNode(uint k, uint depth) {
     w.axis = kLeafAxis;
     w.left = 0u;
     w.right = 0u;
-    if (isWorthwhile(args.costs, best, node.cell, node.count, depth, args.state.at.maxDepth)) w = divided(node, best, k);
+    if (isWorthwhile(costs, best, node.cell, node.count, depth, args.state.at.maxDepth)) w = divided(node, best, k);
     args.workSplits.at[splitBase + k] = w;
 }
 
 // Makes the two parts of a reference, at `at`; one without a point of the triangle goes nowhere.
 void cut(uint c, uint at) {
     WorkCut w = args.workCuts.at[refBase / 2u + c];
-    PrimRef r = args.workRefs.at[refBase + w.ref];
+    PrimRef r = workRefs.at[refBase + w.ref];
     uint axis = args.workSplits.at[splitBase + w.node].axis;
     float position = args.workSplits.at[splitBase + w.node].position;
     Box box;
@@ -149,10 +159,10 @@ void cut(uint c, uint at) {
     }
     r.lo = parts.left.lo;
     r.hi = parts.left.hi;
-    args.workRefs.at[refBase + at] = r;
+    workRefs.at[refBase + at] = r;
     r.lo = parts.right.lo;
     r.hi = parts.right.hi;
-    args.workRefs.at[refBase + at + 1u] = r;
+    workRefs.at[refBase + at + 1u] = r;
     if (isEmpty(parts.left)) atomicAnd(args.workSplits.at[splitBase + w.node].left, ~(1u << w.bit));
     if (isEmpty(parts.right)) atomicAnd(args.workSplits.at[splitBase + w.node].right, ~(1u << w.bit));
 }
@@ -178,6 +188,7 @@ void putChild(uint block, Box cell, uint first, uint count, uint number, uint ne
     n.count = count;
     n.staged = number;
     args.workNodes.at[(nodeBase ^ kWorkNodes) + next] = n;
+    sortIn(next, count);
 }
 
 // Stages a node, and hands its references on. `before`: what the nodes before it add. `at`: where the parts of cut
@@ -202,7 +213,7 @@ void putNode(Subtrees s, uint block, uint k, uvec4 before, uint at) {
     uint part = at + 2u * w.cut;
     for (uint i = 0u; i < node.count; i++) {
         uint bit = 1u << i;
-        uint left = args.workLists.at[listBase + node.first + i];
+        uint left = lists.at[listBase + node.first + i];
         uint right = left;
         if ((w.both & bit) != 0u) {
             left = part;
@@ -210,11 +221,11 @@ void putNode(Subtrees s, uint block, uint k, uvec4 before, uint at) {
             part += 2u;
         }
         if ((w.left & bit) != 0u) {
-            args.workLists.at[toLeft] = left;
+            lists.at[toLeft] = left;
             toLeft++;
         }
         if ((w.right & bit) != 0u) {
-            args.workLists.at[toRight] = right;
+            lists.at[toRight] = right;
             toRight++;
         }
     }
@@ -228,7 +239,7 @@ uvec4 total(inout uvec4 mine) {
     uvec4 before = sumBefore(mine, gl_WorkGroupSize.x);
     if (gl_LocalInvocationID.x == gl_WorkGroupSize.x - 1u) groupTotal = before + mine;
     mine = before;
-    barrier();
+    meet();
     return groupTotal;
 }
 
@@ -254,9 +265,10 @@ uvec4 takeRoots(uint first, uint end) {
         w.count = node.count;
         w.staged = sum.x;
         args.workNodes.at[nodeBase + sum.x] = w;
+        sortIn(sum.x, node.count);
         for (uint k = 0u; k < node.count; k++) {
-            args.workRefs.at[refBase + sum.y + k] = refsIn().at[node.first + k];
-            args.workLists.at[listBase + sum.y + k] = sum.y + k;
+            workRefs.at[refBase + sum.y + k] = refsIn().at[node.first + k];
+            lists.at[listBase + sum.y + k] = sum.y + k;
         }
         sum += uvec4(1u, node.count, 0u, 0u);
     }
@@ -274,13 +286,14 @@ Subtrees grown(uint block, uvec4 roots) {
     uint i = gl_LocalInvocationID.x;
     for (uint count = roots.x; count > 0u;) {
         if (i == 0u) cutCount = 0u;
-        meet();
-        for (uint k = i; k < count; k += gl_WorkGroupSize.x) splitNode(k, push.depth + s.levels);
-        meet();
+        meetInMemory();
+        for (uint k = i; k < count; k += gl_WorkGroupSize.x) splitNode(sorted(k), push.depth + s.levels);
+        meetInMemory();
         uint cuts = cutCount;
         bool fits = refs + 2u * cuts <= kWorkRefs;
         for (uint c = i; fits && c < cuts; c += gl_WorkGroupSize.x) cut(c, refs + 2u * c);
-        meet();
+        meetInMemory();
+        if (i < 4u) sizeCounts[i] = 0u;
         uint run = ceilDiv(count, gl_WorkGroupSize.x);
         uint from = i * run;
         uint to = min(from + run, count);
@@ -302,7 +315,7 @@ Subtrees grown(uint block, uvec4 roots) {
         count = all.w;
         listBase ^= kWorkList;
         nodeBase ^= kWorkNodes;
-        meet();
+        meetInMemory();
     }
     return s;
 }
@@ -314,8 +327,9 @@ void buildBlock(uint block) {
     uint first = refsIn().at[block * kBlock].node;
     if (level.at[first].first < block * kBlock) first++;
     uint last = refsIn().at[end - 1u].node;
+    if (i < 4u) sizeCounts[i] = 0u;
     uvec4 roots = takeRoots(first, last + 1u);
-    meet();
+    meetInMemory();
     if (push.depth >= args.state.at.maxDepth) roots.x = 0u;
     Subtrees s = grown(block, roots);
     s.firstNode = first;
@@ -351,12 +365,15 @@ void main() {
     uint workers = min(blocks, kWorkers);
     uint worker = groupIndex();
     if (worker >= workers) return;
+    workRefs = args.workRefs;
+    lists = args.workLists;
+    costs = args.costs;
     refBase = worker * kWorkRefs;
     listBase = worker * 2u * kWorkList;
     nodeBase = worker * 2u * kWorkNodes;
     splitBase = worker * kWorkNodes;
     for (uint block = worker; block < blocks; block += workers) {
         buildBlock(block);
-        meet();
+        meetInMemory();
     }
 }

@@ -239,6 +239,7 @@ CLEAVE_SIZE(BuildState, 6348);
     ROW(workCuts, WorkCut, WorkCutArray, n.workers* kWorkRefs / 2)                                        \
     ROW(workLists, uint, UintArray, n.workers * 2 * kWorkList)                                            \
     ROW(workNodes, WorkNode, WorkNodeArray, n.workers * 2 * kWorkNodes)                                   \
+    ROW(workOrder, uint, UintArray, n.workers * 4 * kWorkNodes)                                           \
     ROW(workSplits, WorkSplit, WorkSplitArray, n.workers* kWorkNodes)                                     \
     ROW(nodeSums, uvec4, Uvec4Array, n.nodeBlocks) /* per block of nodes: splits, references in leaves, chunks */
 
@@ -274,7 +275,7 @@ struct BuildArgs {
     float invBinCount;
     SahCosts costs;
 };
-CLEAVE_SIZE(BuildArgs, 304);
+CLEAVE_SIZE(BuildArgs, 312);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) buffer BuildArgsRef { BuildArgs at; };
