@@ -51,50 +51,126 @@ Split cheaper(Split best, Box cell, uint axis, float position, uint left, uint r
     return best;
 }
 
-// With the faces of up to four boxes, from `from` on, of a node's references.
-Split withFaces(Split best, WorkNode node, uint axis, uint from) {
-    vec4 lo;
-    vec4 hi;
-    uint last = node.first + node.count - 1u;
+// How many boxes begin before four faces, end after them and lie in them.
+struct FaceCounts {
+    uvec4 left;
+    uvec4 right;
+    uvec4 planar;
+};
+
+FaceCounts noCounts() {
+    FaceCounts c;
+    c.left = uvec4(0u);
+    c.right = uvec4(0u);
+    c.planar = uvec4(0u);
+    return c;
+}
+
+FaceCounts with(FaceCounts c, vec4 faces, float lo, float hi) {
+    c.left += uvec4(lessThan(vec4(lo), faces));
+    c.right += uvec4(greaterThan(vec4(hi), faces));
+    return c;
+}
+
+FaceCounts withFlat(FaceCounts c, vec4 faces, float lo, float hi) {
+    c.planar += uvec4(lo == hi ? 1u : 0u) * uvec4(equal(vec4(lo), faces));
+    return c;
+}
+
+Split withFaces(Split best, Box cell, uint axis, vec4 faces, FaceCounts c, bool anyFlat) {
     [[unroll]] for (uint u = 0u; u < 4u; u++) {
-        uint r = refBase + lists.at[listBase + min(node.first + from + u, last)];
-        lo[u] = workRefs.at[r].lo[axis];
-        hi[u] = workRefs.at[r].hi[axis];
-    }
-    uvec4 loLeft = uvec4(0u);
-    uvec4 loRight = uvec4(0u);
-    uvec4 hiLeft = uvec4(0u);
-    uvec4 hiRight = uvec4(0u);
-    bool anyFlat = false;
-    for (uint k = node.first; k <= last; k++) {
-        uint r = refBase + lists.at[listBase + k];
-        float otherLo = workRefs.at[r].lo[axis];
-        float otherHi = workRefs.at[r].hi[axis];
-        loLeft += uvec4(lessThan(vec4(otherLo), lo));
-        loRight += uvec4(greaterThan(vec4(otherHi), lo));
-        hiLeft += uvec4(lessThan(vec4(otherLo), hi));
-        hiRight += uvec4(greaterThan(vec4(otherHi), hi));
-        anyFlat = anyFlat || otherLo == otherHi;
-    }
-    uvec4 loPlanar = uvec4(0u);
-    uvec4 hiPlanar = uvec4(0u);
-    if (anyFlat) {  // rare
-        for (uint k = node.first; k <= last; k++) {
-            uint r = refBase + lists.at[listBase + k];
-            float otherLo = workRefs.at[r].lo[axis];
-            uvec4 isFlat = uvec4(otherLo == workRefs.at[r].hi[axis] ? 1u : 0u);
-            loPlanar += isFlat * uvec4(equal(vec4(otherLo), lo));
-            hiPlanar += isFlat * uvec4(equal(vec4(otherLo), hi));
-        }
-    }
-    [[unroll]] for (uint u = 0u; u < 4u; u++) {
-        best = cheaper(best, node.cell, axis, lo[u], loLeft[u] + loPlanar[u], loRight[u], 1u, true);
-        best = cheaper(best, node.cell, axis, hi[u], hiLeft[u] + hiPlanar[u], hiRight[u], 1u, true);
+        best = cheaper(best, cell, axis, faces[u], c.left[u] + c.planar[u], c.right[u], 1u, true);
     }
     if (anyFlat) {
         [[unroll]] for (uint u = 0u; u < 4u; u++) {
-            best = cheaper(best, node.cell, axis, lo[u], loLeft[u], loRight[u] + loPlanar[u], 0u, loPlanar[u] > 0u);
-            best = cheaper(best, node.cell, axis, hi[u], hiLeft[u], hiRight[u] + hiPlanar[u], 0u, hiPlanar[u] > 0u);
+            best = cheaper(best, cell, axis, faces[u], c.left[u], c.right[u] + c.planar[u], 0u, c.planar[u] > 0u);
+        }
+    }
+    return best;
+}
+
+uint refOf(WorkNode node, uint i) { return refBase + lists.at[listBase + node.first + min(i, node.count - 1u)]; }
+
+// Of at most four references: their boxes are loaded once.
+Split bestOfFew(WorkNode node) {
+    Split best = noSplit();
+    uvec4 refs;
+    [[unroll]] for (uint u = 0u; u < 4u; u++) refs[u] = refOf(node, u);
+    for (uint axis = 0u; axis < 3u; axis++) {
+        vec4 lo;
+        vec4 hi;
+        [[unroll]] for (uint u = 0u; u < 4u; u++) {
+            lo[u] = workRefs.at[refs[u]].lo[axis];
+            hi[u] = workRefs.at[refs[u]].hi[axis];
+        }
+        FaceCounts ofLo = noCounts();
+        FaceCounts ofHi = noCounts();
+        bool anyFlat = any(equal(lo, hi));
+        [[unroll]] for (uint u = 0u; u < 4u; u++) {
+            // What is not there begins nowhere and ends nowhere.
+            bool isThere = u < node.count;
+            float otherLo = isThere ? lo[u] : infinity();
+            float otherHi = isThere ? hi[u] : -infinity();
+            ofLo = with(ofLo, lo, otherLo, otherHi);
+            ofHi = with(ofHi, hi, otherLo, otherHi);
+        }
+        if (anyFlat) {
+            [[unroll]] for (uint u = 0u; u < 4u; u++) {
+                float otherHi = u < node.count ? hi[u] : -infinity();
+                ofLo = withFlat(ofLo, lo, lo[u], otherHi);
+                ofHi = withFlat(ofHi, hi, lo[u], otherHi);
+            }
+        }
+        best = withFaces(best, node.cell, axis, lo, ofLo, anyFlat);
+        best = withFaces(best, node.cell, axis, hi, ofHi, anyFlat);
+    }
+    return best;
+}
+
+// Of any number: eight at once are compared with all.
+Split bestOfMany(WorkNode node) {
+    Split best = noSplit();
+    for (uint axis = 0u; axis < 3u; axis++) {
+        for (uint from = 0u; from < node.count; from += 8u) {
+            vec4 lo[2];
+            vec4 hi[2];
+            FaceCounts ofLo[2];
+            FaceCounts ofHi[2];
+            [[unroll]] for (uint h = 0u; h < 2u; h++) {
+                [[unroll]] for (uint u = 0u; u < 4u; u++) {
+                    uint r = refOf(node, from + 4u * h + u);
+                    lo[h][u] = workRefs.at[r].lo[axis];
+                    hi[h][u] = workRefs.at[r].hi[axis];
+                }
+                ofLo[h] = noCounts();
+                ofHi[h] = noCounts();
+            }
+            bool anyFlat = false;
+            for (uint k = 0u; k < node.count; k++) {
+                uint r = refBase + lists.at[listBase + node.first + k];
+                float otherLo = workRefs.at[r].lo[axis];
+                float otherHi = workRefs.at[r].hi[axis];
+                [[unroll]] for (uint h = 0u; h < 2u; h++) {
+                    ofLo[h] = with(ofLo[h], lo[h], otherLo, otherHi);
+                    ofHi[h] = with(ofHi[h], hi[h], otherLo, otherHi);
+                }
+                anyFlat = anyFlat || otherLo == otherHi;
+            }
+            if (anyFlat) {  // rare
+                for (uint k = 0u; k < node.count; k++) {
+                    uint r = refBase + lists.at[listBase + node.first + k];
+                    float otherLo = workRefs.at[r].lo[axis];
+                    float otherHi = workRefs.at[r].hi[axis];
+                    [[unroll]] for (uint h = 0u; h < 2u; h++) {
+                        ofLo[h] = withFlat(ofLo[h], lo[h], otherLo, otherHi);
+                        ofHi[h] = withFlat(ofHi[h], hi[h], otherLo, otherHi);
+                    }
+                }
+            }
+            [[unroll]] for (uint h = 0u; h < 2u; h++) {
+                best = withFaces(best, node.cell, axis, lo[h], ofLo[h], anyFlat);
+                best = withFaces(best, node.cell, axis, hi[h], ofHi[h], anyFlat);
+            }
         }
     }
     return best;
@@ -130,9 +206,8 @@ WorkSplit divided(WorkNode node, Split s, uint k) {
 void splitNode(uint k, uint depth) {
     WorkNode node = args.workNodes.at[nodeBase + k];
     Split best = noSplit();
-    for (uint axis = 0u; axis < 3u; axis++) {
-        for (uint from = 0u; from < node.count; from += 4u) best = withFaces(best, node, axis, from);
-    }
+    if (node.count <= 4u) best = bestOfFew(node);
+    if (node.count > 4u) best = bestOfMany(node);
     WorkSplit w;
     w.axis = kLeafAxis;
     w.left = 0u;
