@@ -21,6 +21,7 @@ struct Growth {
     uint32_t* leafRefs;
     Subtrees made{};
     uint32_t workRefs = 0;  // what the device's workgroup holds: all references that there were
+    uint32_t cuts = 0;      // references that straddle planes of the level
 
     struct Halves {
         std::vector<PrimRef> left, right;
@@ -35,6 +36,7 @@ struct Growth {
                 if (!isEmpty(parts.left)) h.left.push_back({parts.left.lo, r.prim, parts.left.hi, 0});
                 if (!isEmpty(parts.right)) h.right.push_back({parts.right.lo, r.prim, parts.right.hi, 0});
                 workRefs += 2;
+                cuts++;
             } else {
                 (side == kLeft ? h.left : h.right).push_back(r);
             }
@@ -45,6 +47,7 @@ struct Growth {
     // The next level; false if it outgrows the workgroup. Nothing of it is written then.
     bool grow(std::vector<Node>& level) {
         const uint32_t at = depth + made.levels;
+        cuts = 0;
         std::vector<Split> splits;
         std::vector<Halves> halves;
         uint32_t children = 0, refs = 0, leaves = 0, next = 0;
@@ -60,7 +63,7 @@ struct Growth {
             refs += static_cast<uint32_t>(h.left.size() + h.right.size());
             next += !h.left.empty() + !h.right.empty();
         }
-        if (workRefs > kWorkRefs || refs > kWorkList || next > kWorkNodes || made.nodes + children > kStagedNodes ||
+        if (workRefs > kWorkRefs || cuts > kWorkCuts || refs > kWorkList || next > kWorkNodes || made.nodes + children > kStagedNodes ||
             made.leafRefs + leaves > kStagedRefs)
             return false;
         std::vector<Node> grown;

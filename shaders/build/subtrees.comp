@@ -19,6 +19,7 @@ PrimRefArray workRefs;
 UintArray lists;
 SahCosts costs;
 uint refBase;
+uint cutBase;
 uint listBase;
 uint nodeBase;
 uint splitBase;
@@ -192,12 +193,12 @@ WorkSplit divided(WorkNode node, Split s, uint k) {
     w.both = w.left & w.right;
     w.cut = atomicAdd(cutCount, bitCount(w.both));
     uint next = w.cut;
-    for (uint rest = w.both; rest != 0u && next < kWorkRefs / 2u; rest &= rest - 1u) {
+    for (uint rest = w.both; rest != 0u && next < kWorkCuts; rest &= rest - 1u) {
         WorkCut c;
         c.bit = lowestBit(rest);
         c.ref = lists.at[listBase + node.first + c.bit];
         c.node = k;
-        args.workCuts.at[refBase / 2u + next] = c;
+        args.workCuts.at[cutBase + next] = c;
         next++;
     }
     return w;
@@ -218,7 +219,7 @@ void splitNode(uint k, uint depth) {
 
 // Makes the two parts of a reference, at `at`; one without a point of the triangle goes nowhere.
 void cut(uint c, uint at) {
-    WorkCut w = args.workCuts.at[refBase / 2u + c];
+    WorkCut w = args.workCuts.at[cutBase + c];
     PrimRef r = workRefs.at[refBase + w.ref];
     uint axis = args.workSplits.at[splitBase + w.node].axis;
     float position = args.workSplits.at[splitBase + w.node].position;
@@ -365,7 +366,7 @@ Subtrees grown(uint block, uvec4 roots) {
         for (uint k = i; k < count; k += gl_WorkGroupSize.x) splitNode(sorted(k), push.depth + s.levels);
         meetInMemory();
         uint cuts = cutCount;
-        bool fits = refs + 2u * cuts <= kWorkRefs;
+        bool fits = cuts <= kWorkCuts && refs + 2u * cuts <= kWorkRefs;
         for (uint c = i; fits && c < cuts; c += gl_WorkGroupSize.x) cut(c, refs + 2u * c);
         meetInMemory();
         if (i < 4u) sizeCounts[i] = 0u;
@@ -437,13 +438,14 @@ void buildBlock(uint block) {
 
 void main() {
     uint blocks = ceilDiv(thisLevel.refCount, kBlock);
-    uint workers = min(blocks, kWorkers);
+    uint workers = workersFor(blocks);
     uint worker = groupIndex();
     if (worker >= workers) return;
     workRefs = args.workRefs;
     lists = args.workLists;
     costs = args.costs;
     refBase = worker * kWorkRefs;
+    cutBase = worker * kWorkCuts;
     listBase = worker * 2u * kWorkList;
     nodeBase = worker * 2u * kWorkNodes;
     splitBase = worker * kWorkNodes;

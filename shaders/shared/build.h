@@ -174,7 +174,7 @@ struct Level {
     DispatchSize perChunkGroup;  // an invocation per chunk: snap
     DispatchSize perRefBlock;    // a workgroup per kBlock references: exact_split, classify, offsets, graft
     DispatchSize perRefGroup;    // an invocation per reference: partition
-    DispatchSize perWorker;      // a workgroup per kBlock references, but at most kWorkers: subtrees
+    DispatchSize perWorker;      // a workgroup per kBlocksPerWorker of these blocks: subtrees
     DispatchSize perNodeBlock;   // a workgroup per kBlock nodes: count_children, emit_nodes
     DispatchSize once;           // one workgroup, none if the level is empty: scan, next_level
 };
@@ -236,7 +236,7 @@ CLEAVE_SIZE(BuildState, 6348);
     ROW(stagedNodes, KdNode, KdNodeArray, n.refBlocks* kStagedNodes)                                      \
     ROW(stagedRefs, uint, UintArray, n.refBlocks* kStagedRefs)                                            \
     ROW(workRefs, PrimRef, PrimRefArray, n.workers* kWorkRefs) /* these mean nothing between passes */    \
-    ROW(workCuts, WorkCut, WorkCutArray, n.workers* kWorkRefs / 2)                                        \
+    ROW(workCuts, WorkCut, WorkCutArray, n.workers* kWorkCuts)                                        \
     ROW(workLists, uint, UintArray, n.workers * 2 * kWorkList)                                            \
     ROW(workNodes, WorkNode, WorkNodeArray, n.workers * 2 * kWorkNodes)                                   \
     ROW(workOrder, uint, UintArray, n.workers * 4 * kWorkNodes)                                           \
@@ -317,6 +317,9 @@ CLEAVE_FN uint depthLimit(uint setting, uint n) { return setting != 0u ? min(set
 // The most chunks that a level of `refs` references can have.
 CLEAVE_FN uint chunkCapacity(uint refs, uint exactUpTo) { return refs / (exactUpTo + 1u) + refs / kChunk + 1u; }
 
+// Workgroups of `subtrees` for so many blocks of references.
+CLEAVE_FN uint workersFor(uint blocks) { return min(ceilDiv(blocks, kBlocksPerWorker), kMostWorkers); }
+
 // `row`: the most workgroups in a row of a dispatch.
 CLEAVE_FN Level levelOf(uint refCount, uint nodeCount, uint chunkCount, uint row) {
     Level l;
@@ -327,7 +330,7 @@ CLEAVE_FN Level levelOf(uint refCount, uint nodeCount, uint chunkCount, uint row
     l.perChunkGroup = dispatchSize(ceilDiv(chunkCount, kGroup), row);
     l.perRefBlock = dispatchSize(ceilDiv(refCount, kBlock), row);
     l.perRefGroup = dispatchSize(ceilDiv(refCount, kGroup), row);
-    l.perWorker = dispatchSize(min(ceilDiv(refCount, kBlock), kWorkers), row);
+    l.perWorker = dispatchSize(workersFor(ceilDiv(refCount, kBlock)), row);
     l.perNodeBlock = dispatchSize(ceilDiv(nodeCount, kBlock), row);
     l.once = dispatchSize(min(nodeCount, 1u), row);
     return l;
