@@ -123,7 +123,9 @@ void createInto(NewContext& result, Context::State& state, const ContextInfo& in
     if (info.longestRow != 0) state.row = info.longestRow;
     const PipelineHome home{&state.functions, info.device, info.pipelineCache, info.allocator};
     Creation creation{home, result};
-    if (info.builds && !createBuildKernels(creation, state, groupSizes(properties, subgroups.subgroupSize, info.groupLanes))) return;
+    if (info.builds &&
+        !createBuildKernels(creation, state, groupSizes(properties, subgroups.subgroupSize, info.groupLanes)))
+        return;
     const std::span<const TraceMode> modes =
         info.modes ? std::span(info.modes, info.modeCount) : std::span<const TraceMode>(kDefaultModes);
     if (!createTraceKernels(creation, state, modes)) return;

@@ -26,7 +26,8 @@ void exactSplit(BuildArrays& a, uint32_t depth) {
     for (uint32_t n = 0; n < a.state.level[depth].nodeCount; n++) {
         BuildNode& node = a.nodesIn(depth)[n];
         if (isLarge(node.count, a.args.exactUpTo) || node.split.axis == kSubtreeAxis) continue;
-        const Split best = bestFace(a.args.costs, std::span(a.refsIn(depth)).subspan(node.first, node.count), node.cell);
+        const Split best =
+            bestFace(a.args.costs, std::span(a.refsIn(depth)).subspan(node.first, node.count), node.cell);
         if (isWorthwhile(a.args.costs, best, node.cell, node.count, depth, a.state.maxDepth)) node.split = best;
     }
 }

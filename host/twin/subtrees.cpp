@@ -63,8 +63,8 @@ struct Growth {
             refs += static_cast<uint32_t>(h.left.size() + h.right.size());
             next += !h.left.empty() + !h.right.empty();
         }
-        if (workRefs > kWorkRefs || cuts > kWorkCuts || refs > kWorkList || next > kWorkNodes || made.nodes + children > kStagedNodes ||
-            made.leafRefs + leaves > kStagedRefs)
+        if (workRefs > kWorkRefs || cuts > kWorkCuts || refs > kWorkList || next > kWorkNodes ||
+            made.nodes + children > kStagedNodes || made.leafRefs + leaves > kStagedRefs)
             return false;
         std::vector<Node> grown;
         const auto child = [&](Box cell, std::vector<PrimRef>& of) {
