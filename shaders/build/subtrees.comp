@@ -70,19 +70,15 @@ FaceCounts noCounts() {
 FaceCounts with(FaceCounts c, vec4 faces, float lo, float hi) {
     c.left += uvec4(lessThan(vec4(lo), faces));
     c.right += uvec4(greaterThan(vec4(hi), faces));
+    c.planar += uvec4(equal(vec4(lo == hi ? lo : infinity()), faces));
     return c;
 }
 
-FaceCounts withFlat(FaceCounts c, vec4 faces, float lo, float hi) {
-    c.planar += uvec4(lo == hi ? 1u : 0u) * uvec4(equal(vec4(lo), faces));
-    return c;
-}
-
-Split withFaces(Split best, Box cell, uint axis, vec4 faces, FaceCounts c, bool anyFlat) {
+Split withFaces(Split best, Box cell, uint axis, vec4 faces, FaceCounts c) {
     [[unroll]] for (uint u = 0u; u < 4u; u++) {
         best = cheaper(best, cell, axis, faces[u], c.left[u] + c.planar[u], c.right[u], 1u, true);
     }
-    if (anyFlat) {
+    if (any(notEqual(c.planar, uvec4(0u)))) {
         [[unroll]] for (uint u = 0u; u < 4u; u++) {
             best = cheaper(best, cell, axis, faces[u], c.left[u], c.right[u] + c.planar[u], 0u, c.planar[u] > 0u);
         }
@@ -106,7 +102,6 @@ Split bestOfFew(WorkNode node) {
         }
         FaceCounts ofLo = noCounts();
         FaceCounts ofHi = noCounts();
-        bool anyFlat = any(equal(lo, hi));
         [[unroll]] for (uint u = 0u; u < 4u; u++) {
             // What is not there begins nowhere and ends nowhere.
             bool isThere = u < node.count;
@@ -115,15 +110,8 @@ Split bestOfFew(WorkNode node) {
             ofLo = with(ofLo, lo, otherLo, otherHi);
             ofHi = with(ofHi, hi, otherLo, otherHi);
         }
-        if (anyFlat) {
-            [[unroll]] for (uint u = 0u; u < 4u; u++) {
-                float otherHi = u < node.count ? hi[u] : -infinity();
-                ofLo = withFlat(ofLo, lo, lo[u], otherHi);
-                ofHi = withFlat(ofHi, hi, lo[u], otherHi);
-            }
-        }
-        best = withFaces(best, node.cell, axis, lo, ofLo, anyFlat);
-        best = withFaces(best, node.cell, axis, hi, ofHi, anyFlat);
+        best = withFaces(best, node.cell, axis, lo, ofLo);
+        best = withFaces(best, node.cell, axis, hi, ofHi);
     }
     return best;
 }
@@ -146,7 +134,6 @@ Split bestOfMany(WorkNode node) {
                 ofLo[h] = noCounts();
                 ofHi[h] = noCounts();
             }
-            bool anyFlat = false;
             for (uint k = 0u; k < node.count; k++) {
                 uint r = refBase + lists.at[listBase + node.first + k];
                 float otherLo = workRefs.at[r].lo[axis];
@@ -155,22 +142,10 @@ Split bestOfMany(WorkNode node) {
                     ofLo[h] = with(ofLo[h], lo[h], otherLo, otherHi);
                     ofHi[h] = with(ofHi[h], hi[h], otherLo, otherHi);
                 }
-                anyFlat = anyFlat || otherLo == otherHi;
-            }
-            if (anyFlat) {  // rare
-                for (uint k = 0u; k < node.count; k++) {
-                    uint r = refBase + lists.at[listBase + node.first + k];
-                    float otherLo = workRefs.at[r].lo[axis];
-                    float otherHi = workRefs.at[r].hi[axis];
-                    [[unroll]] for (uint h = 0u; h < 2u; h++) {
-                        ofLo[h] = withFlat(ofLo[h], lo[h], otherLo, otherHi);
-                        ofHi[h] = withFlat(ofHi[h], hi[h], otherLo, otherHi);
-                    }
-                }
             }
             [[unroll]] for (uint h = 0u; h < 2u; h++) {
-                best = withFaces(best, node.cell, axis, lo[h], ofLo[h], anyFlat);
-                best = withFaces(best, node.cell, axis, hi[h], ofHi[h], anyFlat);
+                best = withFaces(best, node.cell, axis, lo[h], ofLo[h]);
+                best = withFaces(best, node.cell, axis, hi[h], ofHi[h]);
             }
         }
     }
