@@ -236,7 +236,7 @@ CLEAVE_SIZE(BuildState, 6348);
     ROW(stagedNodes, KdNode, KdNodeArray, n.refBlocks* kStagedNodes)                                      \
     ROW(stagedRefs, uint, UintArray, n.refBlocks* kStagedRefs)                                            \
     ROW(workRefs, PrimRef, PrimRefArray, n.workers* kWorkRefs) /* these mean nothing between passes */    \
-    ROW(workCuts, WorkCut, WorkCutArray, n.workers* kWorkCuts)                                        \
+    ROW(workCuts, WorkCut, WorkCutArray, n.workers* kWorkCuts)                                            \
     ROW(workLists, uint, UintArray, n.workers * 2 * kWorkList)                                            \
     ROW(workNodes, WorkNode, WorkNodeArray, n.workers * 2 * kWorkNodes)                                   \
     ROW(workOrder, uint, UintArray, n.workers * 4 * kWorkNodes)                                           \
