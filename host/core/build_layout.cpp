@@ -22,7 +22,7 @@ uint64_t triangleCountOf(const BuildInfo& info) noexcept {
 
 Capacity defaultCapacity(uint32_t triangles) noexcept {
     const uint64_t n = triangles;
-    return {atMostLink(n * 7 / 2 + 16384), atMostLink(n * 3 / 2 + 4096), atMostLink(n * 10 + 4096),
+    return {atMostLink(n * 7 / 4 + 8192), atMostLink(n / 2 + 2048), atMostLink(n * 10 + 4096),
             atMostLink(n * 8 + 4096)};
 }
 
@@ -54,6 +54,7 @@ BuildCounts countsOf(const BuildInfo& info) noexcept {
     n.leafRefs = c.leafRefs;
     n.chunks = chunkCapacity(c.refs, info.exactUpTo);
     n.refBlocks = ceilDiv64(c.refs, kBlock);
+    n.workers = workersFor(static_cast<uint32_t>(n.refBlocks));
     n.nodeBlocks = ceilDiv64(c.levelNodes, kBlock);
     n.triangles = triangleCountOf(info);
     n.geometries = info.geometryCount;

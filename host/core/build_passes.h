@@ -26,6 +26,7 @@ namespace cleave {
     ROW(choose_split, chooseSplit, perChunk, narrow, 0, large)     \
     ROW(nearest, nearest, perChunk, narrow, 0, snapping)           \
     ROW(snap, snap, perChunkGroup, own, 0, snapping)               \
+    ROW(subtrees, subtrees, perWorker, narrow, 0, all)             \
     ROW(exact_split, exactSplit, perRefBlock, wide, 0, all)        \
     ROW(classify, classify, perRefBlock, narrow, 0, all)           \
     ROW(scan, scanRefs, once, own, kScanRefs, all)                 \
@@ -33,7 +34,8 @@ namespace cleave {
     ROW(count_children, countChildren, perNodeBlock, wide, 0, all) \
     ROW(next_level, nextLevel, once, own, 0, all)                  \
     ROW(emit_nodes, emitNodes, perNodeBlock, wide, 0, all)         \
-    ROW(partition, partition, perRefGroup, own, 0, all)
+    ROW(partition, partition, perRefGroup, own, 0, all)            \
+    ROW(graft, graft, perRefBlock, wide, 0, all)
 
 // Run once, at the end.
 #define CLEAVE_LAST_PASSES(ROW) ROW(finish_tree, finishTree, once, own, 0, all)

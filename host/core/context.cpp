@@ -19,11 +19,16 @@ struct GroupSizes {
     uint32_t wide = kLargestGroup;
     uint32_t narrow = kMostNarrow;
     uint32_t refsPerLane = 1;  // in exact_split: of a CPU's few lanes each makes more of a load this way
+    bool lockstep = false;     // a workgroup is one vector of a CPU: its lanes need not wait for each other
 };
 
-GroupSizes groupSizes(const VkPhysicalDeviceProperties& properties, uint32_t asked) {
-    if (asked != 0) return {asked, std::min(asked, kMostNarrow), 1};
-    return properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU ? GroupSizes{8, 8, 4} : GroupSizes{};
+// A CPU device runs the invocations of a subgroup as the lanes of vectors, one instruction of all after the other.
+constexpr uint32_t kCpuLanes = 8;
+
+GroupSizes groupSizes(const VkPhysicalDeviceProperties& properties, uint32_t subgroup, uint32_t asked) {
+    if (asked != 0) return {asked, std::min(asked, kMostNarrow), 1, false};
+    if (properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU) return {};
+    return {kCpuLanes, kCpuLanes, 4, subgroup >= kCpuLanes};
 }
 
 // Creates kernels and remembers what failed first.
@@ -45,8 +50,9 @@ bool createBuildKernels(Creation& creation, Context::State& state, const GroupSi
             const bool known = std::any_of(state.buildKernels.begin(), state.buildKernels.end(),
                                            [&](const Kernel& k) { return k.name() == pass.kernel; });
             if (known) continue;
-            const uint32_t suited[] = {pass.lanes == Lanes::wide ? sizes.wide : sizes.narrow, sizes.refsPerLane};
-            const std::span<const uint32_t> constants(suited, pass.lanes == Lanes::own ? 0 : 2);
+            const uint32_t suited[] = {pass.lanes == Lanes::wide ? sizes.wide : sizes.narrow, sizes.refsPerLane,
+                                       sizes.lockstep ? 1u : 0u};
+            const std::span<const uint32_t> constants(suited, pass.lanes == Lanes::own ? 0 : 3);
             if (!creation.create(state.buildKernels.emplace_back(), pass.kernel, sizeof(BuildPush), constants))
                 return false;
         }
@@ -102,17 +108,24 @@ void createInto(NewContext& result, Context::State& state, const ContextInfo& in
     };
     if (const char* missing = state.functions.load(info.getInstanceProcAddr, info.instance, info.device))
         return refuse(VK_ERROR_INITIALIZATION_FAILED, missing);
-    const auto propertiesOf = reinterpret_cast<PFN_vkGetPhysicalDeviceProperties>(
-        info.getInstanceProcAddr(info.instance, "vkGetPhysicalDeviceProperties"));
-    if (!propertiesOf) return refuse(VK_ERROR_INITIALIZATION_FAILED, "vkGetPhysicalDeviceProperties");
-    VkPhysicalDeviceProperties properties{};
-    propertiesOf(info.physicalDevice, &properties);
+    const auto propertiesOf = reinterpret_cast<PFN_vkGetPhysicalDeviceProperties2>(
+        info.getInstanceProcAddr(info.instance, "vkGetPhysicalDeviceProperties2"));
+    if (!propertiesOf) return refuse(VK_ERROR_INITIALIZATION_FAILED, "vkGetPhysicalDeviceProperties2");
+    VkPhysicalDeviceSubgroupProperties subgroups{};
+    subgroups.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES;
+    VkPhysicalDeviceProperties2 all{};
+    all.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
+    all.pNext = &subgroups;
+    propertiesOf(info.physicalDevice, &all);
+    const VkPhysicalDeviceProperties& properties = all.properties;
     if (properties.limits.maxComputeWorkGroupInvocations < kLargestGroup)
         return refuse(VK_ERROR_FEATURE_NOT_PRESENT, "workgroups of 256 invocations");
     if (info.longestRow != 0) state.row = info.longestRow;
     const PipelineHome home{&state.functions, info.device, info.pipelineCache, info.allocator};
     Creation creation{home, result};
-    if (info.builds && !createBuildKernels(creation, state, groupSizes(properties, info.groupLanes))) return;
+    if (info.builds &&
+        !createBuildKernels(creation, state, groupSizes(properties, subgroups.subgroupSize, info.groupLanes)))
+        return;
     const std::span<const TraceMode> modes =
         info.modes ? std::span(info.modes, info.modeCount) : std::span<const TraceMode>(kDefaultModes);
     if (!createTraceKernels(creation, state, modes)) return;

@@ -25,7 +25,8 @@ void add(PassWork& work, const BuildPass& pass, const Level& level, double ms) {
         work.what = what;
         work.elements += elements;
     };
-    if (pass.groups == offsetof(Level, perRefBlock) || pass.groups == offsetof(Level, perRefGroup))
+    if (pass.groups == offsetof(Level, perRefBlock) || pass.groups == offsetof(Level, perRefGroup) ||
+        pass.groups == offsetof(Level, perWorker))
         treats("references", level.refCount);
     if (pass.groups == offsetof(Level, perChunk) || pass.groups == offsetof(Level, perChunkGroup))
         treats("chunks", level.chunkCount);
@@ -56,7 +57,7 @@ BuildProfile profileOf(std::span<const double> ms, const BuildState& state, uint
             add(workOf(profile.passes, pass.kernel), pass, level, time);
             sum.ms += time;
         }
-        if (depth < state.levels) profile.levels.push_back(sum);
+        if (level.nodeCount > 0) profile.levels.push_back(sum);
     }
     for (const BuildPass& pass : kLastPasses) add(workOf(profile.passes, pass.kernel), pass, input, take());
     return profile;

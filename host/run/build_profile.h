@@ -22,6 +22,7 @@ struct PassWork {
     uint64_t elements = 0;
 };
 
+// Nodes and references within subtrees are on no level.
 struct LevelWork {
     uint64_t references = 0;
     uint64_t nodes = 0;

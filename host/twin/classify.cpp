@@ -1,20 +1,23 @@
-#include "shared/clip.h"
 #include "twin/passes.h"
 
 namespace cleave::twin {
+
+SplitBoxes partsOf(const BuildArrays& a, const PrimRef& r, const Split& s) {
+    const Box box{r.lo, r.hi};
+    if (a.args.clip != 0) return splitBoxes(withoutNumber(a.triangles[r.prim]), box, s.axis, s.position);
+    return {leftOf(box, s.axis, s.position), rightOf(box, s.axis, s.position)};
+}
 
 namespace {
 
 uint32_t classifyOne(BuildArrays& a, uint32_t depth, uint32_t i) {
     const PrimRef& r = a.refsIn(depth)[i];
     const Split& s = a.nodesIn(depth)[r.node].split;
-    if (s.axis == kLeafAxis) return 0;
+    if (s.axis >= kLeafAxis) return 0;
     const int axis = static_cast<int>(s.axis);
     const uint32_t side = sideOf(r.lo[axis], r.hi[axis], s.position, s.planarLeft);
     if (side != (kLeft | kRight)) return side;
-    const Box box{r.lo, r.hi};
-    SplitBoxes parts{leftOf(box, s.axis, s.position), rightOf(box, s.axis, s.position)};
-    if (a.args.clip != 0) parts = splitBoxes(withoutNumber(a.triangles[r.prim]), box, s.axis, s.position);
+    const SplitBoxes parts = partsOf(a, r, s);
     a.clipped[2 * i] = parts.left;
     a.clipped[2 * i + 1] = parts.right;
     return kClipped | (isEmpty(parts.left) ? 0 : kLeft) | (isEmpty(parts.right) ? 0 : kRight);
@@ -24,7 +27,7 @@ uint32_t classifyOne(BuildArrays& a, uint32_t depth, uint32_t i) {
 
 void classify(BuildArrays& a, uint32_t depth) {
     const uint32_t count = a.state.level[depth].refCount;
-    std::fill_n(a.blockSums.begin(), ceilDiv(count, kBlock), glm::uvec4(0));
+    for (uint32_t block = 0; block < ceilDiv(count, kBlock); block++) a.blockSums[block].x = a.blockSums[block].y = 0;
     for (uint32_t i = 0; i < count; i++) {
         a.sides[i] = classifyOne(a, depth, i);
         a.blockSums[i / kBlock].x += (a.sides[i] & kLeft) ? 1 : 0;

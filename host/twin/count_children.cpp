@@ -3,13 +3,14 @@
 namespace cleave::twin {
 
 Children childrenOf(const BuildArrays& a, const BuildNode& node) {
-    if (node.split.axis == kLeafAxis) return {};
+    if (node.split.axis >= kLeafAxis) return {};
     const glm::uvec2 counts = a.offsets[node.first + node.count] - a.offsets[node.first];
     return {counts.x, counts.y};
 }
 
 glm::uvec4 nodeCounts(const BuildArrays& a, const BuildNode& node) {
     if (node.split.axis == kLeafAxis) return {0, node.count, 0, 0};
+    if (node.split.axis == kSubtreeAxis) return glm::uvec4(0);
     const Children c = childrenOf(a, node);
     const uint32_t upTo = a.args.exactUpTo;
     return {1, 0, chunksOf(c.left, upTo) + chunksOf(c.right, upTo), 0};

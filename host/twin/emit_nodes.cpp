@@ -26,7 +26,7 @@ void emitNodes(BuildArrays& a, uint32_t depth) {
             a.tree[node.treeNode] = leafNode(first, node.count);
             node.child = kNone;
             node.leftBase = first;
-        } else {
+        } else if (s.axis != kSubtreeAxis) {
             const Children c = childrenOf(a, node);
             const uint32_t upTo = a.args.exactUpTo;
             const uint32_t left = 2 * before.x;

@@ -8,6 +8,7 @@ void partition(BuildArrays& a, uint32_t depth) {
     uint32_t next = 0;
     for (uint32_t n = 0; n < a.state.level[depth].nodeCount; n++) {
         const BuildNode& node = a.nodesIn(depth)[n];
+        if (node.split.axis == kSubtreeAxis && node.child != kNone) continue;
         const KdNode emitted = a.tree[node.treeNode];
         const uint32_t child = nodeChild(emitted) - a.state.nodeBase;
         for (uint32_t side : {kLeft, kRight}) {

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/build_passes.h"
+#include "shared/clip.h"
 #include "twin/build_arrays.h"
 
 namespace cleave::twin {
@@ -36,6 +37,10 @@ Children childrenOf(const BuildArrays& a, const BuildNode& node);
 glm::uvec4 nodeCounts(const BuildArrays& a, const BuildNode& node);
 // the exclusive prefix sums of the sums of blocks, in place, and their total,
 glm::uvec4 scanBlocks(std::vector<glm::uvec4>& sums, uint32_t items);
+// the best plane at a face of one of these boxes, by trying them all,
+Split bestFace(SahCosts costs, std::span<const PrimRef> refs, Box cell);
+// the boxes of a straddling reference on either side of a plane,
+SplitBoxes partsOf(const BuildArrays& a, const PrimRef& r, const Split& s);
 // and the range of a large node's bins on one axis.
 BinRange rangeOf(const BuildArrays& a, uint32_t chunk, uint32_t axis);
 

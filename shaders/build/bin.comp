@@ -18,7 +18,7 @@ void main() {
     for (uint k = i; k < kBinWords; k += gl_WorkGroupSize.x) counters[k] = 0u;
     BinRange ranges[3];
     for (uint axis = 0u; axis < 3u; axis++) ranges[axis] = rangeOf(slot, axis);
-    barrier();
+    meet();
     PrimRefArray refs = refsIn();
     for (uint k = first + i * step; k < chunk.count; k += gl_WorkGroupSize.x * step) {
         PrimRef r = refs.at[chunk.first + k];
@@ -29,7 +29,7 @@ void main() {
             atomicAdd(counters[base + kBins + endBin(ranges[axis], r.hi[axis])], 1u);
         }
     }
-    barrier();
+    meet();
     for (uint k = i; k < kBinWords; k += gl_WorkGroupSize.x) {
         if (counters[k] != 0u) atomicAdd(args.bins.at[slot * kBinWords + k], counters[k]);
     }

@@ -20,7 +20,7 @@ void main() {
         lo[i] = 0xFFFFFFFFu;
         hi[i] = 0u;
     }
-    barrier();
+    meet();
     Box b = emptyBox();
     PrimRefArray refs = refsIn();
     for (uint k = i; k < chunk.count; k += gl_WorkGroupSize.x) {
@@ -33,7 +33,7 @@ void main() {
             atomicMax(hi[axis], orderedBits(b.hi[axis]));
         }
     }
-    barrier();
+    meet();
     if (i < 3u) {
         atomicMin(args.bounds.at[node.chunk * kBoundsWords + i], lo[i]);
         atomicMax(args.bounds.at[node.chunk * kBoundsWords + 3u + i], hi[i]);

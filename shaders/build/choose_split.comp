@@ -39,7 +39,7 @@ void main() {
     if (node.chunk != c) return;
     uint i = gl_LocalInvocationID.x;
     if (i < 6u) sumUp(c, i);
-    barrier();
+    meet();
     uint step = sampleStep(node.count, args.subsample != 0u);
     Split best = noSplit();
     for (uint axis = 0u; axis < 3u; axis++) {
@@ -48,7 +48,7 @@ void main() {
     }
     bests[i] = best;
     for (uint others = gl_WorkGroupSize.x / 2u; others > 0u; others /= 2u) {
-        barrier();
+        meet();
         if (i < others && isBetter(bests[i + others], bests[i])) bests[i] = bests[i + others];
     }
     if (i != 0u) return;

@@ -13,7 +13,7 @@ shared uint rightCount;
 
 uint classified(PrimRef r) {
     Split s = nodesIn().at[r.node].split;
-    if (s.axis == kLeafAxis) return 0u;
+    if (s.axis >= kLeafAxis) return 0u;
     return sideOf(r.lo[s.axis], r.hi[s.axis], s.position, s.planarLeft);
 }
 
@@ -45,7 +45,7 @@ void main() {
         leftCount = 0u;
         rightCount = 0u;
     }
-    barrier();
+    meet();
     uint first = block * kBlock;
     uint count = min(kBlock, refCount - first);
     uint left = 0u;
@@ -60,7 +60,7 @@ void main() {
             right += side >> 1;
         }
     }
-    barrier();
+    meet();
     for (uint k = gl_LocalInvocationID.x; k < straddlingCount; k += gl_WorkGroupSize.x) {
         uint index = first + straddling[k];
         uint side = clipped(index);
@@ -70,6 +70,8 @@ void main() {
     }
     atomicAdd(leftCount, left);
     atomicAdd(rightCount, right);
-    barrier();
-    if (gl_LocalInvocationID.x == 0u) args.blockSums.at[block] = uvec4(leftCount, rightCount, 0u, 0u);
+    meet();
+    if (gl_LocalInvocationID.x != 0u) return;
+    args.blockSums.at[block].x = leftCount;
+    args.blockSums.at[block].y = rightCount;
 }

@@ -14,7 +14,7 @@ void main() {
     if (block >= ceilDiv(nodeCount, kBlock)) return;
     uint i = gl_LocalInvocationID.x;
     if (i < 4u) sums[i] = 0u;
-    barrier();
+    meet();
     uint first = block * kBlock;
     uint count = min(kBlock, nodeCount - first);
     uvec4 sum = uvec4(0u);
@@ -23,6 +23,6 @@ void main() {
         sum += nodeCounts(node, childCounts(node));
     }
     for (uint k = 0u; k < 4u; k++) atomicAdd(sums[k], sum[k]);
-    barrier();
+    meet();
     if (i == 0u) args.nodeSums.at[block] = uvec4(sums[0], sums[1], sums[2], sums[3]);
 }

@@ -25,6 +25,7 @@ void emitLeaf(uint index, BuildNode node, uint first) {
 // `before`: the totals of the nodes before this one.
 void emitNode(uint index, BuildNode node, uvec2 children, uvec4 before) {
     Split s = node.split;
+    if (s.axis == kSubtreeAxis) return;
     if (s.axis == kLeafAxis) {
         emitLeaf(index, node, args.state.at.leafBase + before.y);
         return;

@@ -1,5 +1,5 @@
 #version 460
-// Exact SAH of the small nodes: every face of every box is a candidate. A workgroup treats the nodes whose references
+// Exact SAH of the small nodes that `subtrees` left: every face of every box is a candidate. A workgroup treats the nodes whose references
 // begin in its block of references: first the best face of each box is found, then of these the best in each node. So
 // nodes of a few references, which most are, share a workgroup.
 #extension GL_GOOGLE_include_directive : require
@@ -13,6 +13,8 @@ const uint kMostRefs = kBlock + kMostExactUpTo;
 shared float costs[kMostRefs];
 shared uint faces[kMostRefs];  // 4 axis + 2 if it is the upper one + planarLeft
 
+bool isSplitHere(BuildNode node) { return !isLarge(node.count, args.exactUpTo) && node.split.axis != kSubtreeAxis; }
+
 Split splitAt(PrimRef r, float cost, uint face) {
     Split s;
     s.cost = cost;
@@ -25,7 +27,7 @@ Split splitAt(PrimRef r, float cost, uint face) {
 // References on either side of the faces of a box, and in them, on each axis.
 struct FaceCounts {
     PrimRef r;
-    uint first, end;  // references of its node; none if it is large
+    uint first, end;  // references of its node; none if that is not split here
     uvec3 loLeft, loRight, loPlanar;
     uvec3 hiLeft, hiRight, hiPlanar;
 };
@@ -34,7 +36,7 @@ FaceCounts faceCounts(uint k, uint end) {
     FaceCounts f;
     f.r = refsIn().at[min(k, end - 1u)];
     BuildNode node = nodesIn().at[f.r.node];
-    bool counts = k < end && !isLarge(node.count, args.exactUpTo);
+    bool counts = k < end && isSplitHere(node);
     f.first = counts ? node.first : 0u;
     f.end = counts ? node.first + node.count : 0u;
     f.loLeft = uvec3(0u);
@@ -138,13 +140,13 @@ void main() {
     uint firstNode = refs.at[begin].node;
     uint lastNode = refs.at[end - 1u].node;
     node = nodes.at[lastNode];
-    end = isLarge(node.count, args.exactUpTo) ? node.first : node.first + node.count;
+    end = isSplitHere(node) ? node.first + node.count : node.first;
     uint stride = gl_WorkGroupSize.x * kRefsPerLane;
     for (uint k = begin + gl_LocalInvocationID.x * kRefsPerLane; k < end; k += stride) findBestFaces(k, end, begin);
-    barrier();
+    meet();
     for (uint n = firstNode + gl_LocalInvocationID.x; n <= lastNode; n += gl_WorkGroupSize.x) {
         node = nodes.at[n];
-        if (isLarge(node.count, args.exactUpTo)) continue;
+        if (!isSplitHere(node)) continue;
         Split best = noSplit();
         for (uint k = node.first; k < node.first + node.count; k++) {
             float cost = costs[k - begin];

@@ -12,7 +12,7 @@ void main() {
     uint block = groupIndex();
     if (block >= ceilDiv(args.triangleCount, kBlock)) return;
     if (gl_LocalInvocationID.x == 0u) largest = 0u;
-    barrier();
+    meet();
     uint first = block * kBlock;
     uint count = min(kBlock, args.triangleCount - first);
     uint mine = 0u;
@@ -21,6 +21,6 @@ void main() {
         mine = max(mine, max(reachOf(t.a), max(reachOf(t.b), reachOf(t.c))));
     }
     atomicMax(largest, mine);
-    barrier();
+    meet();
     if (gl_LocalInvocationID.x == 0u) atomicMax(args.state.at.scene.largest, largest);
 }

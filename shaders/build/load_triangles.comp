@@ -36,7 +36,7 @@ void main() {
         noArea = 0u;
     }
     if (i < 6u) bits[i] = 0u;
-    barrier();
+    meet();
     uint first = block * kBlock;
     uint count = min(kBlock, args.triangleCount - first);
     uint mine = 0u;
@@ -54,7 +54,7 @@ void main() {
             atomicMax(bits[3u + axis], orderedBits(b.hi[axis]));
         }
     }
-    barrier();
+    meet();
     if (i < 6u) atomicMax(args.state.at.scene.boundsBits[i], bits[i]);
     if (i != 0u) return;
     atomicAdd(args.state.at.scene.nonFinite, nonFinite);

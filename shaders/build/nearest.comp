@@ -16,7 +16,7 @@ void main() {
     uint axis = node.split.axis;
     if (axis == kLeafAxis) return;
     if (i == 0u) faces = noFaces();
-    barrier();
+    meet();
     NearestFaces mine = noFaces();
     PrimRefArray refs = refsIn();
     for (uint k = i; k < chunk.count; k += gl_WorkGroupSize.x) {
@@ -29,7 +29,7 @@ void main() {
     atomicAdd(faces.rightBelow, mine.rightBelow);
     atomicAdd(faces.right, mine.right);
     atomicAdd(faces.planar, mine.planar);
-    barrier();
+    meet();
     if (i != 0u) return;
     atomicMax(args.nearest.at[node.chunk].below, faces.below);
     atomicMin(args.nearest.at[node.chunk].above, faces.above);

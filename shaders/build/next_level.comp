@@ -10,9 +10,10 @@ void main() {
     uvec4 totals = scanInPlace(args.nodeSums, ceilDiv(thisLevel.nodeCount, kBlock), kLargestGroup);
     if (gl_LocalInvocationID.x != kLargestGroup - 1u) return;
     uint refs = args.state.at.refTotals.x + args.state.at.refTotals.y;
-    uint nodes = args.state.at.nodesUsed + 2u * totals.x;
+    uvec2 ofSubtrees = uvec2(args.state.at.refTotals.z, args.state.at.refTotals.w);
+    uint nodes = args.state.at.nodesUsed + 2u * totals.x + ofSubtrees.x;
     // All references of the next level may end in leaves: they must fit there, too.
-    uint leafRefs = args.state.at.leafRefsUsed + totals.y + refs;
+    uint leafRefs = args.state.at.leafRefsUsed + totals.y + ofSubtrees.y + refs;
     uint levelNodes = 2u * totals.x;
     bool fits = refs <= args.refCapacity && levelNodes <= args.levelNodeCapacity && nodes <= args.nodeCapacity && leafRefs <= args.leafRefCapacity;
     if (refs > args.refCapacity) args.state.at.neededRefs = refs;
@@ -20,12 +21,14 @@ void main() {
     if (nodes > args.nodeCapacity) args.state.at.neededNodes = nodes;
     if (leafRefs > args.leafRefCapacity) args.state.at.neededLeafRefs = leafRefs;
     args.state.at.finish = fits ? 0u : 1u;
-    args.state.at.levels = push.depth + 1u;
+    args.state.at.levels = max(args.state.at.levels, push.depth + 1u);
     args.state.at.nodeBase = args.state.at.nodesUsed;
     args.state.at.leafBase = args.state.at.leafRefsUsed;
+    args.state.at.subtreeNodes = args.state.at.nodeBase + 2u * totals.x;
+    args.state.at.subtreeRefs = args.state.at.leafBase + totals.y;
     if (fits) {
         args.state.at.nodesUsed = nodes;
-        args.state.at.leafRefsUsed += totals.y;
+        args.state.at.leafRefsUsed += totals.y + ofSubtrees.y;
         bool last = push.depth + 1u >= args.state.at.maxDepth;  // its nodes are leaves: there is nothing to choose
         args.state.at.level[push.depth + 1u] = levelOf(refs, levelNodes, last ? 0u : totals.z, args.row);
     } else {

@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared/build.h"
 #include "lib/group.glsl"
+#include "lib/meet.glsl"
 
 layout(push_constant, scalar) uniform Push { BuildPush push; };
 

@@ -2,13 +2,14 @@
 
 // Left and right references of a node: the difference of the offsets at its ends.
 uvec2 childCounts(BuildNode node) {
-    if (node.split.axis == kLeafAxis) return uvec2(0u);
+    if (node.split.axis >= kLeafAxis) return uvec2(0u);
     return args.offsets.at[node.first + node.count] - args.offsets.at[node.first];
 }
 
 // What a node adds to the sums of its block: splits, references in leaves, chunks of the next level.
 uvec4 nodeCounts(BuildNode node, uvec2 children) {
     if (node.split.axis == kLeafAxis) return uvec4(0u, node.count, 0u, 0u);
+    if (node.split.axis == kSubtreeAxis) return uvec4(0u);
     uint upTo = args.exactUpTo;
     return uvec4(1u, 0u, chunksOf(children.x, upTo) + chunksOf(children.y, upTo), 0u);
 }

@@ -1,5 +1,7 @@
 // Prefix sums over the invocations of a workgroup, of at most kLargestGroup.
 
+#include "lib/meet.glsl"
+
 shared uvec4 groupSums[kLargestGroup];
 
 // The sum of `mine` over the invocations before this one. Called once, by all of them. `lanes` is gl_WorkGroupSize.x; it
@@ -7,7 +9,7 @@ shared uvec4 groupSums[kLargestGroup];
 uvec4 sumBefore(uvec4 mine, uint lanes) {
     uint i = gl_LocalInvocationID.x;
     groupSums[i] = mine;
-    barrier();
+    meet();
     uvec4 sum = uvec4(0u);
     if (lanes <= 16u) {  // on a CPU barriers cost more than a few loads
         for (uint k = 0u; k < i; k++) sum += groupSums[k];
@@ -16,10 +18,10 @@ uvec4 sumBefore(uvec4 mine, uint lanes) {
     sum = mine;
     for (uint step = 1u; step < lanes; step *= 2u) {  // Hillis and Steele 1986
         uvec4 before = i >= step ? groupSums[i - step] : uvec4(0u);
-        barrier();
+        meet();
         sum += before;
         groupSums[i] = sum;
-        barrier();
+        meet();
     }
     return sum - mine;
 }

@@ -2,7 +2,7 @@
 //
 // A level is a list of nodes and a list of references; the references of a node are consecutive, in the order of
 // nodes. Nodes with more than `exactUpTo` references are large: they are cut into chunks and split by binning. The
-// others are small: they are split by exact SAH.
+// others are small: they are split by exact SAH. Those with at most kSubtree are built to their leaves at once.
 #ifndef CLEAVE_SHARED_BUILD_H
 #define CLEAVE_SHARED_BUILD_H
 #include "dispatch.h"
@@ -29,13 +29,53 @@ struct BuildNode {
     uint count;
     uint treeNode;  // index of its KdNode
     uint chunk;     // its first chunk, if it is large
-    // Where its references go, set by emit_nodes. child: the left child's index in the next level, kNone for a leaf.
+    // Where its references go, set by emit_nodes. child: the left child's index in the next level, kNone for a leaf; of
+    // a subtree, set by `subtrees`, its root among the staged nodes.
     uint child;
     uint leftBase;   // a left reference goes to leftBase + (left ones of the level before it); leaf: begin of its list
     uint rightBase;  // and a right one to rightBase + (right ones before it)
-    Split split;     // axis kLeafAxis: becomes a leaf
+    Split split;     // axis kLeafAxis: becomes a leaf; kSubtreeAxis: is built already
 };
 CLEAVE_SIZE(BuildNode, 68);
+CLEAVE_CONST uint kSubtreeAxis = 4u;
+
+// What `subtrees` built of the nodes that begin in a block of references. Their nodes are staged, roots first; children
+// and leaf references count from the block's first.
+struct Subtrees {
+    uint firstNode;  // of the level
+    uint endNode;
+    uint roots;
+    uint nodes;  // roots included; 0: none was built
+    uint leafRefs;
+    uint levels;
+};
+CLEAVE_SIZE(Subtrees, 24);
+
+// A node of a level of subtrees,
+struct WorkNode {
+    Box cell;
+    uint first;  // of its references in the list of the level
+    uint count;
+    uint staged;  // its number among the staged nodes
+};
+CLEAVE_SIZE(WorkNode, 36);
+// how it is split, a bit per reference,
+struct WorkSplit {
+    uint axis;
+    float position;
+    uint left;
+    uint right;
+    uint both;  // those that are clipped
+    uint cut;   // the first of them among all
+};
+CLEAVE_SIZE(WorkSplit, 24);
+// and a reference to be clipped.
+struct WorkCut {
+    uint ref;
+    uint node;
+    uint bit;
+};
+CLEAVE_SIZE(WorkCut, 12);
 
 // Up to kChunk consecutive references of a large node.
 struct Chunk {
@@ -132,12 +172,13 @@ struct Level {
     uint chunkCount;
     DispatchSize perChunk;       // a workgroup per chunk: bounds, bin, choose_split, nearest
     DispatchSize perChunkGroup;  // an invocation per chunk: snap
-    DispatchSize perRefBlock;    // a workgroup per kBlock references: exact_split, classify, offsets
+    DispatchSize perRefBlock;    // a workgroup per kBlock references: exact_split, classify, offsets, graft
     DispatchSize perRefGroup;    // an invocation per reference: partition
+    DispatchSize perWorker;      // a workgroup per kBlocksPerWorker of these blocks: subtrees
     DispatchSize perNodeBlock;   // a workgroup per kBlock nodes: count_children, emit_nodes
     DispatchSize once;           // one workgroup, none if the level is empty: scan, next_level
 };
-CLEAVE_SIZE(Level, 84);
+CLEAVE_SIZE(Level, 96);
 
 // Describes all triangles together, once they are loaded.
 struct SceneState {
@@ -155,6 +196,8 @@ struct BuildState {
     uint leafRefsUsed;  // entries of the leaf list, those of this level included
     uint nodeBase;      // KdNode of the next level's first node
     uint leafBase;      // where this level's entries of the leaf list begin
+    uint subtreeNodes;  // where its subtrees' KdNodes begin, but for their roots
+    uint subtreeRefs;   // and their entries of the leaf list
     uint levels;        // with nodes
     uint finish;        // 1: this level does not fit when split, so all its nodes become leaves
     uint neededRefs;    // capacities that the build would have needed; 0 where they sufficed
@@ -163,10 +206,11 @@ struct BuildState {
     uint neededLeafRefs;
     uint maxDepth;  // of a leaf
     SceneState scene;
-    uvec4 refTotals;  // of the level: left, right references; before the first level: triangles in the tree
+    // Of the level: left and right references, nodes and leaf references of subtrees; at first: triangles in the tree.
+    uvec4 refTotals;
     Level level[kMaxDepth + 2u];
 };
-CLEAVE_SIZE(BuildState, 5560);
+CLEAVE_SIZE(BuildState, 6348);
 
 #ifndef __cplusplus
 #include "lib/build_arrays.glsl"
@@ -187,7 +231,16 @@ CLEAVE_SIZE(BuildState, 5560);
     ROW(sides, uint, UintArray, n.refs)            /* kLeft | kRight | kClipped; at first: in the tree */ \
     ROW(clipped, Box, BoxArray, 2 * n.refs)        /* per reference two: left and right part */           \
     ROW(offsets, uvec2, Uvec2Array, n.refs + 1)    /* left and right references before each */            \
-    ROW(blockSums, uvec4, Uvec4Array, n.refBlocks) /* per block of references: left, right */             \
+    ROW(blockSums, uvec4, Uvec4Array, n.refBlocks) /* per block of references: as refTotals */            \
+    ROW(subtrees, Subtrees, SubtreesArray, n.refBlocks)                                                   \
+    ROW(stagedNodes, KdNode, KdNodeArray, n.refBlocks* kStagedNodes)                                      \
+    ROW(stagedRefs, uint, UintArray, n.refBlocks* kStagedRefs)                                            \
+    ROW(workRefs, PrimRef, PrimRefArray, n.workers* kWorkRefs) /* these mean nothing between passes */    \
+    ROW(workCuts, WorkCut, WorkCutArray, n.workers* kWorkCuts)                                            \
+    ROW(workLists, uint, UintArray, n.workers * 2 * kWorkList)                                            \
+    ROW(workNodes, WorkNode, WorkNodeArray, n.workers * 2 * kWorkNodes)                                   \
+    ROW(workOrder, uint, UintArray, n.workers * 4 * kWorkNodes)                                           \
+    ROW(workSplits, WorkSplit, WorkSplitArray, n.workers* kWorkNodes)                                     \
     ROW(nodeSums, uvec4, Uvec4Array, n.nodeBlocks) /* per block of nodes: splits, references in leaves, chunks */
 
 // And those that become the tree.
@@ -224,7 +277,7 @@ struct BuildArgs {
     uint everything;  // 1: bins are counted also where a node is flat
     uint reserved;
 };
-CLEAVE_SIZE(BuildArgs, 248);
+CLEAVE_SIZE(BuildArgs, 320);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) buffer BuildArgsRef { BuildArgs at; };
@@ -266,6 +319,9 @@ CLEAVE_FN uint depthLimit(uint setting, uint n) { return setting != 0u ? min(set
 // The most chunks that a level of `refs` references can have.
 CLEAVE_FN uint chunkCapacity(uint refs, uint exactUpTo) { return refs / (exactUpTo + 1u) + refs / kChunk + 1u; }
 
+// Workgroups of `subtrees` for so many blocks of references.
+CLEAVE_FN uint workersFor(uint blocks) { return min(ceilDiv(blocks, kBlocksPerWorker), kMostWorkers); }
+
 // `row`: the most workgroups in a row of a dispatch.
 CLEAVE_FN Level levelOf(uint refCount, uint nodeCount, uint chunkCount, uint row) {
     Level l;
@@ -276,6 +332,7 @@ CLEAVE_FN Level levelOf(uint refCount, uint nodeCount, uint chunkCount, uint row
     l.perChunkGroup = dispatchSize(ceilDiv(chunkCount, kGroup), row);
     l.perRefBlock = dispatchSize(ceilDiv(refCount, kBlock), row);
     l.perRefGroup = dispatchSize(ceilDiv(refCount, kGroup), row);
+    l.perWorker = dispatchSize(workersFor(ceilDiv(refCount, kBlock)), row);
     l.perNodeBlock = dispatchSize(ceilDiv(nodeCount, kBlock), row);
     l.once = dispatchSize(min(nodeCount, 1u), row);
     return l;
@@ -294,6 +351,8 @@ CLEAVE_FN Box rootCell(SceneState s) {
 }
 
 CLEAVE_FN bool isLarge(uint count, uint exactUpTo) { return count > exactUpTo; }
+// Whether a node is built to its leaves at once.
+CLEAVE_FN bool isSubtree(uint count, uint exactUpTo) { return count > 0u && count <= min(exactUpTo, kSubtree); }
 CLEAVE_FN uint chunksOf(uint count, uint exactUpTo) { return isLarge(count, exactUpTo) ? ceilDiv(count, kChunk) : 0u; }
 
 CLEAVE_FN BuildNode buildNode(Box cell, uint first, uint count, uint treeNode, uint chunk) {
