@@ -133,12 +133,12 @@ class Viewer {
             takeEvents(events);
             if (script_) script_->play(viewing_, window_);
             viewing_.update(window_.size());
-            figures_.asked(viewing_.wished(), viewing_.moves());
             if (const std::string copied = viewing_.takeCopied(); !copied.empty()) {
                 window_.copy(copied);
                 std::printf("%s\n", copied.c_str());
             }
             takePicture();
+            figures_.asked(viewing_.wished(), viewing_.moves());     // after the picture that came before it
             const bool captures = script_ && script_->screenshot();  // which takes the time to write it
             if (isWorthAFrame(!events.empty())) draw();
             if (!captures) figures_.busy(busy.milliseconds());
