@@ -7,6 +7,7 @@
 #include "cleave/cleave.hpp"
 #include "gpu/allocator.h"
 #include "gpu/check.h"
+#include "gpu/create_device.h"
 #include "gpu/staging.h"
 
 namespace cleave {
@@ -41,34 +42,18 @@ void Device::open() {
     adopted_.instance = instance_->handle();
     adopted_.physicalDevice = devices[chooseDevice(infos, options_.nameOrIndex)];
     adopted_.queueFamily = static_cast<uint32_t>(computeFamily(adopted_.physicalDevice));
-    const float priority = 1.0f;
-    VkDeviceQueueCreateInfo queueInfo{};
-    queueInfo.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
-    queueInfo.queueFamilyIndex = adopted_.queueFamily;
-    queueInfo.queueCount = 1;
-    queueInfo.pQueuePriorities = &priority;
-    Requirements needed = requirements();
-    needed.vulkan12.pNext = &needed.vulkan13;
-    VkPhysicalDeviceFeatures2 features{};
-    features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
-    features.pNext = &needed.vulkan12;
-    features.features = needed.features;
-    VkDeviceCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
-    info.pNext = &features;
-    info.queueCreateInfoCount = 1;
-    info.pQueueCreateInfos = &queueInfo;
+    std::vector<const char*> extensions;
+    void* more = nullptr;
     std::optional<RayTracingRequest> rayTracing;
     if (options_.rayTracing) {
         rayTracing.emplace(adopted_.physicalDevice);
-        info.pNext = rayTracing->chain(&features);
-        info.enabledExtensionCount = static_cast<uint32_t>(rayTracing->extensions().size());
-        info.ppEnabledExtensionNames = rayTracing->extensions().data();
+        more = rayTracing->chain(nullptr);
+        extensions.assign(rayTracing->extensions().begin(), rayTracing->extensions().end());
         rayTracing_ = rayTracing->found();
     }
-    check(vkCreateDevice(adopted_.physicalDevice, &info, nullptr, device_.put()), "opening the Vulkan device");
+    adopted_.queue = createDevice(adopted_.physicalDevice, adopted_.queueFamily, extensions, more, device_.put(),
+                                  "opening the Vulkan device");
     adopted_.device = device_.get();
-    vkGetDeviceQueue(adopted_.device, adopted_.queueFamily, 0, &adopted_.queue);
 }
 
 void Device::prepare() {

@@ -10,10 +10,10 @@
 #include <algorithm>
 #include <optional>
 
-#include "cleave/cleave.hpp"
 #include "gpu/allocator.h"
 #include "gpu/buffer.h"
 #include "gpu/check.h"
+#include "gpu/create_device.h"
 #include "gpu/device.h"
 #include "view/swapchain.h"
 
@@ -195,29 +195,10 @@ struct Presenter::State {
         adopted.instance = instance.handle();
         adopted.physicalDevice = choose(name);
         adopted.queueFamily = static_cast<uint32_t>(presentingFamily(adopted.physicalDevice, surface.get()));
-        const float priority = 1.0f;
-        VkDeviceQueueCreateInfo queue{};
-        queue.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
-        queue.queueFamilyIndex = adopted.queueFamily;
-        queue.queueCount = 1;
-        queue.pQueuePriorities = &priority;
-        Requirements needed = requirements();
-        needed.vulkan12.pNext = &needed.vulkan13;
-        VkPhysicalDeviceFeatures2 features{};
-        features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
-        features.pNext = &needed.vulkan12;
-        features.features = needed.features;
         const char* extension = VK_KHR_SWAPCHAIN_EXTENSION_NAME;
-        VkDeviceCreateInfo info{};
-        info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
-        info.pNext = &features;
-        info.queueCreateInfoCount = 1;
-        info.pQueueCreateInfos = &queue;
-        info.enabledExtensionCount = 1;
-        info.ppEnabledExtensionNames = &extension;
-        check(vkCreateDevice(adopted.physicalDevice, &info, nullptr, logical.put()), "opening the window's device");
+        adopted.queue = createDevice(adopted.physicalDevice, adopted.queueFamily, {&extension, 1}, nullptr,
+                                     logical.put(), "opening the window's device");
         adopted.device = logical.get();
-        vkGetDeviceQueue(adopted.device, adopted.queueFamily, 0, &adopted.queue);
         device.emplace(adopted, DeviceOptions{});
     }
 
