@@ -227,14 +227,11 @@ struct Painter::Easel {
             for (uint32_t x = 0; x < width; ++x) rays.push_back(imageRay(camera, x + 0.5, y + 0.5));
         const std::vector<Hit> hits =
             kit.tracer().trace(*tree, rays, {Query::closest, wish.traversal, wish.test, false}).hits;
-        auto painted = std::make_shared<Painted>();
-        painted->number = wish.number;
-        painted->staged = wish.staged;
-        painted->camera = wish.camera;
-        painted->view = wish.view;
-        painted->width = 2 * width;
-        painted->height = height;
-        painted->pixels.assign(size_t{2} * width * height, 0xFF404040u);
+        Picture blank;
+        blank.width = 2 * width;
+        blank.height = height;
+        blank.pixels.assign(size_t{2} * width * height, 0xFF404040u);
+        const std::shared_ptr<Painted> painted = begun(wish, blank);
         painted->of = 1;
         Comparison told;
         const std::vector<Triangle>& world = wish.staged->geometry->posed.triangles;
