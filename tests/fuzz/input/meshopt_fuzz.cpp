@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "harness.h"
 #include "scene/decompress.h"
+#include "scene/shown_parts.h"
 
 namespace cleave::fuzz {
 namespace {
@@ -53,7 +54,7 @@ int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     const TimeLimit limit;
     cleave::Scene scene = sceneOf(data, size);
     try {
-        cleave::decompress(scene, kMostTriangles);
+        cleave::decompress(scene, cleave::allParts(scene), kMostTriangles);
         const cleave::gltf::BufferView& view = scene.bufferViews[0];
         require(!view.meshopt && view.buffer == 1, "it is decompressed");
         require(scene.buffers[1].bytes.size() == view.byteLength, "to the size that was announced");
