@@ -95,10 +95,10 @@ class FrameRenderer {
     }
 
   private:
-    // Of one sample. Those that follow from hits depend on what is hit: as many again for a shadow or a bounce.
+    // About: what follows from hits depends on what is hit. A path is taken for three bounces, with a shadow ray each.
     static uint64_t raysOf(const Options& options) {
         const uint64_t pixels = uint64_t{options.width} * options.height;
-        return pixels * samplesOf(options) * (showsSurfaces(options.view) ? 2 : 1);
+        return pixels * samplesOf(options) * (options.view == View::path ? 8 : showsSurfaces(options.view) ? 2 : 1);
     }
     double movingMs() const { return trees_.ms() - trees_.staticMs(); }
 

@@ -208,23 +208,19 @@ TEST_F(Frames, LeaveNothingBehind) {
 
 // A tree of its own for what moves changes no picture.
 TEST_F(Frames, AreTheSameWithATreeForWhatMoves) {
-    for (const char* name : {"animation", "morph_target", "skin"})
-        for (const char* view : {"shaded", "path", "depth"}) {
-            const std::vector<std::string> more{"--view", view, "--json", at("j")};
-            const auto frames = [&](const char* split) {
-                std::vector<std::string> arguments = more;
-                arguments.insert(arguments.end(), {"--split-moving", split});
-                return twoFrames(feature(name), arguments);
-            };
-            const auto whole = frames("off");
-            EXPECT_EQ(reportOf("j")["build"]["trees"], 1);
-            EXPECT_EQ(reportOf("j")["build"]["staticMs"], 0.0);
-            EXPECT_EQ(frames("on"), whole) << name << ", " << view;
-            const Json report = reportOf("j");
-            EXPECT_EQ(report["build"]["trees"], 2);
-            EXPECT_GT(report["build"]["staticMs"], 0.0);
-            EXPECT_GT(report["frames"][1]["buildMs"], 0.0);
-        }
+    for (const auto& [name, view] : {std::pair("animation", "shaded"), {"morph_target", "path"}, {"skin", "depth"}}) {
+        const auto frames = [&](const char* split) {
+            return twoFrames(feature(name), {"--view", view, "--json", at("j"), "--split-moving", split});
+        };
+        const auto whole = frames("off");
+        EXPECT_EQ(reportOf("j")["build"]["trees"], 1);
+        EXPECT_EQ(reportOf("j")["build"]["staticMs"], 0.0);
+        EXPECT_EQ(frames("on"), whole) << name << ", " << view;
+        const Json report = reportOf("j");
+        EXPECT_EQ(report["build"]["trees"], 2);
+        EXPECT_GT(report["build"]["staticMs"], 0.0);
+        EXPECT_GT(report["frames"][1]["buildMs"], 0.0);
+    }
     ASSERT_EQ(render({feature("unlit"), "-o", at("f.png"), "--frames", "0:1", "--fps", "1", "--split-moving", "on",
                       "--json", at("j")})
                   .status,
@@ -264,7 +260,9 @@ TEST_F(Frames, HitsAreTheSameWithATreeForWhatMoves) {
                 EXPECT_TRUE(build["parts"][1]["moves"]);
             }
         }
-        EXPECT_EQ(answers.size(), 1u) << query;
+        if (*query == '\0') {
+            EXPECT_EQ(answers.size(), 1u);  // which triangle --any finds is left open
+        }
     }
 }
 
