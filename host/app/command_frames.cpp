@@ -5,11 +5,11 @@
 #include "app/frame_files.h"
 #include "app/picture_of.h"
 #include "app/report.h"
+#include "app/scene_trees.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "figures/legend.h"
 #include "formats/write_file.h"
-#include "scene/moving_nodes.h"
 
 namespace cleave {
 namespace {
@@ -36,12 +36,11 @@ class FrameRenderer {
         : run_(run),
           session_(run, run.options.scenes.empty() ? defaultScene() : run.options.scenes.front(),
                    showsSurfaces(run.options.view) ? Detail::corners : Detail::triangles),
-          surfaces_(session_.surfacesOnDevice(run.options.view)) {
+          surfaces_(session_.surfacesOnDevice(run.options.view)),
+          trees_(run.options, session_,
+                 {countsSteps(run.options.view), run.options.frames->first < run.options.frames->last,
+                  raysOf(run.options)}) {
         requestOf(run, session_);  // a camera that is not there shows now
-        const std::vector<bool> moving = movingNodes(session_.scene(), session_.animations());
-        movingTriangles_ = countMoving(session_.posed(), moving);
-        staticTriangles_ = session_.posed().triangles.size() - movingTriangles_;
-        builder_ = session_.chosenBuilder(countsSteps(run.options.view));
         report_["scene"] = sceneJson(session_);
         report_["frames"] = Json::array();
     }
@@ -51,22 +50,23 @@ class FrameRenderer {
         const Options& options = run_.options;
         session_.poseAt(frame.seconds);
         session_.moveSurfaces(surfaces_);
-        BuiltTree built = session_.buildPlain(builder_);
-        const DeviceTree& tree = session_.upload(built);
+        trees_.build(true);
         const PictureRequest request = requestOf(run_, session_);
-        const Picture picture = pictureOf(tree, request);
+        const Forest forest = trees_.forest(request.camera.eye);
+        const Picture picture = pictureOf(forest, request);
         const std::vector<std::byte> bytes = bytesOf(frame.file, picture, run_.device.renderer());
-        Json figures = figuresOf(frame, built, picture);
+        Json figures = figuresOf(frame, picture);
         CheckResult check;
         if (options.check > 0) {
-            check = checkPicture(run_, session_, tree, surfaces_, request);
+            check = checkPicture(run_, session_, forest, surfaces_, request);
             figures["check"] = checkJson(check);
             checked_.add(check);
         }
         requireAnswered(picture.cappedRays, check, session_.scene().name);
         writeFile(frame.file, bytes);
         report_["frames"].push_back(std::move(figures));
-        buildMs_ += built.ms;
+        if (rendered() == 1) staticMs_ = trees_.staticMs();
+        buildMs_ += movingMs();
         traceMs_ += picture.traceMs;
     }
 
@@ -75,14 +75,19 @@ class FrameRenderer {
     // Of what was rendered so far.
     Json report() const {
         Json report = report_;
-        report["build"] = {{"builder", nameOf(builder_)}, {"setupMs", numberJson(run_.device.setupMilliseconds())}};
+        report["build"] = {{"builder", nameOf(trees_.builder())},
+                           {"trees", trees_.areSplit() ? 2 : 1},
+                           {"staticMs", numberJson(staticMs_)},
+                           {"setupMs", numberJson(run_.device.setupMilliseconds())}};
         if (run_.options.check > 0) report["check"] = checkJson(checked_);
         return report;
     }
     std::string summary() const {
         const auto count = static_cast<double>(rendered());
-        return session_.needs().line() + "motion    " + grouped(movingTriangles_) + " of " +
-               grouped(movingTriangles_ + staticTriangles_) + " triangles move" + animationsText() + "\n" +
+        return session_.needs().line() + "motion    " + grouped(trees_.movingTriangles()) + " of " +
+               grouped(trees_.movingTriangles() + trees_.staticTriangles()) + " triangles move" + animationsText() +
+               "\n" +
+               (trees_.areSplit() ? "once      build " + fixed(staticMs_, 3) + " ms, what does not move\n" : "") +
                (rendered() > 0 ? "each      build " + fixed(buildMs_ / count, 3) + " ms, trace " +
                                      fixed(traceMs_ / count, 3) + " ms\n"
                                : "") +
@@ -90,27 +95,34 @@ class FrameRenderer {
     }
 
   private:
-    Picture pictureOf(const DeviceTree& tree, PictureRequest request) {
+    // About: what follows from hits depends on what is hit. A path is taken for three bounces, with a shadow ray each.
+    static uint64_t raysOf(const Options& options) {
+        const uint64_t pixels = uint64_t{options.width} * options.height;
+        return pixels * samplesOf(options) * (options.view == View::path ? 8 : showsSurfaces(options.view) ? 2 : 1);
+    }
+    double movingMs() const { return trees_.ms() - trees_.staticMs(); }
+
+    Picture pictureOf(const Forest& forest, PictureRequest request) {
         run_.progress.phase("rendering");
         SampleWatch watch(run_, request.samples, nullptr);
         request.goesOn = [&](uint32_t taken) { return watch.goesOn(taken); };
-        Picture picture = run_.device.renderer().render(tree, session_.trianglesOnDevice(), surfaces_, request);
+        Picture picture = run_.device.renderer().render(forest, session_.trianglesOnDevice(), surfaces_, request);
         run_.progress.clear();
         if (request.view == View::steps || request.view == View::leaves) drawLegend(picture);
         return picture;
     }
 
-    Json figuresOf(const Frame& frame, const BuiltTree& built, const Picture& picture) const {
+    Json figuresOf(const Frame& frame, const Picture& picture) const {
         return {{"frame", frame.number},
                 {"seconds", numberJson(frame.seconds)},
                 {"file", frame.file.string()},
                 {"poseMs", numberJson(session_.poseMilliseconds())},
-                {"buildMs", numberJson(built.ms)},
+                {"buildMs", numberJson(movingMs())},
                 {"traceMs", numberJson(picture.traceMs)},
                 {"renderMs", numberJson(picture.ms)},
                 {"samples", picture.samples},
-                {"staticTriangles", staticTriangles_},
-                {"movingTriangles", movingTriangles_}};
+                {"staticTriangles", trees_.staticTriangles()},
+                {"movingTriangles", trees_.movingTriangles()}};
     }
 
     std::string animationsText() const {
@@ -123,10 +135,9 @@ class FrameRenderer {
 
     Run& run_;
     Session session_;
-    Builder builder_;
     DeviceSurfaces surfaces_;
-    uint64_t movingTriangles_ = 0;
-    uint64_t staticTriangles_ = 0;
+    SceneTrees trees_;
+    double staticMs_ = 0.0;                 // of what is built once
     double buildMs_ = 0.0, traceMs_ = 0.0;  // of all frames
     CheckResult checked_;
     Json report_;

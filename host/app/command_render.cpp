@@ -1,6 +1,7 @@
 #include "app/commands.h"
 #include "app/picture_of.h"
 #include "app/report.h"
+#include "app/scene_trees.h"
 #include "base/error.h"
 #include "figures/legend.h"
 #include "formats/write_file.h"
@@ -24,8 +25,8 @@ void runRender(Run& run) {
     const Detail detail = showsSurfaces(options.view) ? Detail::corners : Detail::triangles;
     Session session(run, options.scenes.empty() ? defaultScene() : options.scenes.front(), detail);
     const DeviceSurfaces surfaces = session.surfacesOnDevice(options.view);
-    BuiltTree built = session.build(session.chosenBuilder(countsSteps(options.view)));
-    const DeviceTree& tree = session.upload(built);
+    SceneTrees trees(options, session, {.showsTree = countsSteps(options.view)});
+    trees.build(false);
     const DeviceTriangles& triangles = session.trianglesOnDevice();
     run.progress.phase("rendering");
     Renderer& renderer = run.device.renderer();
@@ -33,8 +34,9 @@ void runRender(Run& run) {
     PictureRequest request = requestOf(run, session);
     const Interrupt interrupt;
     SampleWatch watch(run, request.samples, &interrupt);
+    const Forest forest = trees.forest(request.camera.eye);
     request.goesOn = [&](uint32_t taken) { return watch.goesOn(taken); };
-    Picture picture = renderer.render(tree, triangles, surfaces, request);
+    Picture picture = renderer.render(forest, triangles, surfaces, request);
     run.progress.clear();
     const uint64_t rays = uint64_t{options.width} * options.height * picture.samples;
     if (options.view == View::steps || options.view == View::leaves) drawLegend(picture);
@@ -43,20 +45,20 @@ void runRender(Run& run) {
     writeFile(options.output, bytesOf(options.output, picture, renderer));
     Json report{
         {"scene", sceneJson(session)},
-        {"build", buildJson(built)},
+        {"build", trees.json()},
         {"trace",
          traceJson(request.traversal, request.test, rays, picture.traceMs, picture.invalidRays, picture.cappedRays)},
         {"render", {{"ms", numberJson(picture.ms)}, {"samples", picture.samples}, {"passesMs", passesJson(picture)}}}};
     report["build"]["setupMs"] = numberJson(run.device.setupMilliseconds());
     CheckResult check;
     if (options.check > 0) {
-        check = checkPicture(run, session, tree, surfaces, request);
+        check = checkPicture(run, session, forest, surfaces, request);
         report["check"] = checkJson(check);
     }
     writeReport(run, report);
     requireAnswered(picture.cappedRays, check, session.scene().name);
 
-    run.print(session.needs().line() + builtLine(built) + tracedLine(rays, picture.traceMs, picture.invalidRays) +
+    run.print(session.needs().line() + trees.lines() + tracedLine(rays, picture.traceMs, picture.invalidRays) +
               (options.check > 0 ? checkedLine(check) : "") + "picture   " + options.output.string() +
               (request.samples > 1 ? ", " + std::to_string(picture.samples) + " samples per pixel" : "") + "\n");
     if (watch.wasInterrupted() && picture.samples < request.samples)

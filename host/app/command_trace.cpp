@@ -2,6 +2,7 @@
 
 #include "app/commands.h"
 #include "app/report.h"
+#include "app/scene_trees.h"
 #include "base/text.h"
 #include "figures/timing.h"
 #include "formats/npy.h"
@@ -20,10 +21,10 @@ struct Traced {
     std::string told;  // the line about the output
 };
 
-Traced traceHits(Run& run, Session& session, const DeviceTree& tree, const std::vector<Ray>& rays) {
+Traced traceHits(Run& run, Session& session, const Forest& forest, const std::vector<Ray>& rays) {
     const Options& options = run.options;
     const TraceMode mode{options.query, run.traversal(), options.triangleTests.front(), false};
-    const Tracer::Result found = run.device.tracer().trace(tree, rays, mode);
+    const Tracer::Result found = run.device.tracer().trace(forest, rays, mode);
     // Hits are written even if the check fails, so that they can be inspected.
     writeFile(options.output, npyOf(found.hits));
     Traced traced{{}, found.ms, found.invalidRays, found.cappedRays, {}, {}};
@@ -73,12 +74,12 @@ Traced traceCount(Run& run, const DeviceTree& tree, const std::vector<Ray>& rays
     return {json, found.ms, found.invalidRays, 0, {}, "counts    " + options.output.string() + "\n"};
 }
 
-Traced answered(Run& run, Session& session, const DeviceTree& tree, const std::vector<Ray>& rays) {
+Traced answered(Run& run, Session& session, const Forest& forest, const std::vector<Ray>& rays) {
     run.progress.phase("tracing");
     const Query query = run.options.query;
-    if (query == Query::all) return traceAll(run, tree, rays);
-    if (query == Query::count || query == Query::signedCount) return traceCount(run, tree, rays);
-    return traceHits(run, session, tree, rays);
+    if (query == Query::all) return traceAll(run, *forest.trees.front(), rays);
+    if (query == Query::count || query == Query::signedCount) return traceCount(run, *forest.trees.front(), rays);
+    return traceHits(run, session, forest, rays);
 }
 
 }  // namespace
@@ -89,16 +90,16 @@ void runTrace(Run& run) {
     if (options.json) requireWritable(*options.json);
     const std::vector<Ray> rays = readRays(options.rays);
     Session session(run, options.scenes.front());
-    BuiltTree built = session.build(session.chosenBuilder(false));
-    const DeviceTree& tree = session.upload(built);
+    SceneTrees trees(options, session, {.rays = rays.size()});
+    trees.build(false);
     findInTracing(session.needs(), {options.query, run.traversal()});
-    const Traced traced = answered(run, session, tree, rays);
+    const Traced traced = answered(run, session, trees.forest(), rays);
 
-    Json report{{"scene", sceneJson(session)}, {"build", buildJson(built)}, {"trace", traced.json}};
+    Json report{{"scene", sceneJson(session)}, {"build", trees.json()}, {"trace", traced.json}};
     if (options.check > 0) report["check"] = checkJson(traced.check);
     writeReport(run, report);
     requireAnswered(traced.cappedRays, traced.check, session.scene().name);
-    run.print(session.needs().line() + builtLine(built) + tracedLine(rays.size(), traced.ms, traced.invalidRays) +
+    run.print(session.needs().line() + trees.lines() + tracedLine(rays.size(), traced.ms, traced.invalidRays) +
               traced.told);
 }
 

@@ -69,6 +69,8 @@ void complete(Options& options) {
     if (samplesOf(options) > 1 && !takesSamples(options.view))
         throw UsageError(
             "--spp: a pixel of depth, steps and leaves shows one ray; several are for shaded, normals, path");
+    if (options.splitMoving == Choice::on && options.query != Query::closest && options.query != Query::any)
+        throw UsageError("--split-moving: all hits and counts are asked of one tree; leave it out");
     if (options.output.empty()) options.output = defaultOutput(options.command);
     for (size_t i = 0; options.command == Command::report && i < options.scenes.size(); ++i)
         for (size_t j = 0; j < i; ++j)

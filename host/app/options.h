@@ -24,6 +24,9 @@ enum class Command { render, trace, query, info, bench, report, stability, devic
 // What the command query asks.
 enum class Question { none, nearest, contains, overlaps };
 
+// Of a way to do something that pays for some scenes.
+enum class Choice { automatic, on, off };
+
 // Frames of an animation: `first` to `last`, frame n at the time n / fps. Of these, those with (n - first) mod parts ==
 // part.
 struct FrameRange {
@@ -60,6 +63,7 @@ struct Options {
     std::optional<double> time;  // seconds; none: the rest pose
     std::string animation;       // by name or index, or kAllAnimations; empty: the first
     std::optional<FrameRange> frames;
+    Choice splitMoving = Choice::automatic;  // a tree of its own for what moves
 
     uint32_t width = 1280;
     uint32_t height = 720;

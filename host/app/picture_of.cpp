@@ -59,7 +59,7 @@ std::vector<std::byte> bytesOf(const std::filesystem::path& file, const Picture&
 
 // The primary rays of a path are gone by the end, and rays that look through something have other hits than the
 // reference finds: those through the pixels' centres are judged in their place, by which every triangle is seen.
-CheckResult checkPicture(Run& run, Session& session, const DeviceTree& tree, const DeviceSurfaces& surfaces,
+CheckResult checkPicture(Run& run, Session& session, const Forest& forest, const DeviceSurfaces& surfaces,
                          const PictureRequest& request) {
     Renderer& renderer = run.device.renderer();
     if (showsSurfaces(request.view)) {
@@ -67,7 +67,7 @@ CheckResult checkPicture(Run& run, Session& session, const DeviceTree& tree, con
         primary.view = View::normals;
         primary.samples = 1;
         primary.goesOn = nullptr;
-        renderer.render(tree, session.trianglesOnDevice(), surfaces, primary);
+        renderer.render(forest, session.trianglesOnDevice(), surfaces, primary);
     }
     return session.check(renderer.readRays(), renderer.readHits(), Query::closest, run.options.check);
 }

@@ -36,7 +36,7 @@ class SampleWatch {
 std::vector<std::byte> bytesOf(const std::filesystem::path& file, const Picture& picture, const Renderer& renderer);
 
 // Judges rays of the picture that was rendered last.
-CheckResult checkPicture(Run& run, Session& session, const DeviceTree& tree, const DeviceSurfaces& surfaces,
+CheckResult checkPicture(Run& run, Session& session, const Forest& forest, const DeviceSurfaces& surfaces,
                          const PictureRequest& request);
 
 }  // namespace cleave

@@ -95,6 +95,7 @@ void addRender(CLI::App& app, Options& options) {
     addBuild(app, options, false);
     addTree(app, options);
     app.get_option("--tree")->excludes("--frames");
+    addSplitMoving(app, options);
     addTraversal(app, options, false);
     addKeepAll(app, options);
     addOutput(app, options);

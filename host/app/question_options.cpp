@@ -37,6 +37,7 @@ void addTrace(CLI::App& app, Options& options) {
     addTime(app, options);
     addBuild(app, options, false);
     addTree(app, options);
+    addSplitMoving(app, options);
     addTraversal(app, options, false);
     CLI::Option* const own[] = {any, all, count};
     for (CLI::Option* one : own)

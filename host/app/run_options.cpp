@@ -3,6 +3,12 @@
 #include "app/option_kinds.h"
 
 namespace cleave {
+namespace {
+
+constexpr std::array<std::pair<const char*, Choice>, 3> kChoices = {
+    {{"auto", Choice::automatic}, {"on", Choice::on}, {"off", Choice::off}}};
+
+}  // namespace
 
 // One scene. (A list limited to one would take the next argument too, and complain.)
 void addScene(CLI::App& app, Options& options, const std::string& text, bool needed) {
@@ -29,6 +35,12 @@ void addTree(CLI::App& app, Options& options) {
     app.add_option("--tree", options.tree, "walk a tree that info --save-tree kept, instead of building one")
         ->type_name("FILE")
         ->excludes("--builder");
+}
+
+void addSplitMoving(CLI::App& app, Options& options) {
+    addNamed(app, "--split-moving", "a tree of its own for what moves, so that the rest is built once",
+             options.splitMoving, kChoices);
+    app.get_option("--tree")->excludes("--split-moving");
 }
 
 void addKeepAll(CLI::App& app, Options& options) {

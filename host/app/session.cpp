@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // The timed part is from triangles in memory to a KdTree.
-void buildOnHost(BuiltTree& built, const TriangleSet& set, const BuildSettings& settings) {
+void buildOver(const TriangleSet& set, BuiltTree& built, const BuildSettings& settings) {
     const Stopwatch watch;
     BuildOutcome outcome = hostBuilder(built.builder.name).build(set, settings);
     built.runs.push_back(watch.milliseconds());
@@ -117,9 +117,16 @@ void Session::moveSurfaces(DeviceSurfaces& surfaces) {
     surfaces.move(run_.device.device(), posedSurfaces(posed_, needs_));
 }
 
-void Session::buildOnDevice(BuiltTree& built, const BuildSettings& settings) {
+void Session::buildOnHost(BuiltTree& built, const BuildSettings& settings, std::span<const uint32_t> list) {
+    if (list.empty()) return buildOver(set_, built, settings);
+    const TriangleSet part = makeTriangleSet(posed_.triangles, list);
+    buildOver(part, built, settings);
+    built.onDevice = uploadTree(run_.device.device(), part, built.tree, list);
+}
+
+void Session::buildOnDevice(BuiltTree& built, const BuildSettings& settings, std::span<const uint32_t> list) {
     built.onDevice.reset();  // a second run must not need memory for two trees
-    GpuBuilder::Result result = run_.device.builder().build(trianglesOnDevice(), settings);
+    GpuBuilder::Result result = run_.device.builder().build(trianglesOnDevice(), settings, list);
     built.onDevice = std::move(result.tree);
     built.runs.push_back(result.ms);
     built.peakBytes = result.peakBytes;
@@ -149,26 +156,26 @@ void Session::loadSaved(BuiltTree& built) {
     built.runs.push_back(watch.milliseconds());
 }
 
-void Session::buildOnce(BuiltTree& built, const BuildSettings& settings) {
+void Session::buildOnce(BuiltTree& built, const BuildSettings& settings, std::span<const uint32_t> list) {
     if (run_.options.tree)
         loadSaved(built);
     else if (built.builder == Builder::gpu)
-        buildOnDevice(built, settings);
+        buildOnDevice(built, settings, list);
     else
-        buildOnHost(built, set_, settings);
+        buildOnHost(built, settings, list);
 }
 
 void Session::finish(BuiltTree& built, const BuildSettings& settings) {
-    if (built.onDevice) built.tree = readBack(*built.onDevice);
+    if (built.builder == Builder::gpu) built.tree = readBack(*built.onDevice);
     built.ms = medianOf(built.runs);
     built.statistics = computeStatistics(built.tree, settings.costs);
     built.hash = treeHash(built.tree);
     run_.progress.clear();
 }
 
-BuiltTree Session::buildPlain(Builder builder) {
+BuiltTree Session::buildPlain(Builder builder, std::span<const uint32_t> list) {
     BuiltTree built = prepared(builder);
-    buildOnce(built, settings_);
+    buildOnce(built, settings_, list);
     built.ms = medianOf(built.runs);
     run_.progress.clear();
     return built;
@@ -178,6 +185,13 @@ BuiltTree Session::build(Builder builder, const BuildSettings& settings) {
     BuiltTree built = prepared(builder);
     buildOnce(built, settings);
     finish(built, settings);
+    return built;
+}
+
+BuiltTree Session::buildPart(Builder builder, std::span<const uint32_t> list) {
+    BuiltTree built = prepared(builder);
+    buildOnce(built, settings_, list);
+    finish(built, settings_);
     return built;
 }
 

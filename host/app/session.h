@@ -49,8 +49,10 @@ class Session {
     // With the settings of the run where none are given. Where the run names a saved tree, that one, loaded.
     BuiltTree build(Builder builder) { return build(builder, settings_); }
     BuiltTree build(Builder builder, const BuildSettings& settings);
+    // Over some of the triangles, by ascending numbers. It is on the device.
+    BuiltTree buildPart(Builder builder, std::span<const uint32_t> list);
     // Only the tree and its time: neither statistics nor a hash, which take longer.
-    BuiltTree buildPlain(Builder builder);
+    BuiltTree buildPlain(Builder builder, std::span<const uint32_t> list = {});
     // Builds the same tree `runs` times; on the device after a warm-up, and once more to see where the time goes.
     BuiltTree buildTimed(Builder builder, uint32_t runs) { return buildTimed(builder, runs, settings_); }
     BuiltTree buildTimed(Builder builder, uint32_t runs, const BuildSettings& settings);
@@ -74,9 +76,10 @@ class Session {
     void poseScene(const PoseTime& time);
     void warnOnce(const std::vector<std::string>& warnings);
     BuiltTree prepared(Builder builder);
-    void buildOnDevice(BuiltTree& built, const BuildSettings& settings);
+    void buildOnDevice(BuiltTree& built, const BuildSettings& settings, std::span<const uint32_t> list);
+    void buildOnHost(BuiltTree& built, const BuildSettings& settings, std::span<const uint32_t> list);
     void loadSaved(BuiltTree& built);
-    void buildOnce(BuiltTree& built, const BuildSettings& settings);
+    void buildOnce(BuiltTree& built, const BuildSettings& settings, std::span<const uint32_t> list = {});
     void buildRuns(BuiltTree& built, uint32_t runs, const BuildSettings& settings);
     void finish(BuiltTree& built, const BuildSettings& settings);
 

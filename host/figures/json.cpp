@@ -15,6 +15,7 @@ Json buildJson(const BuiltTree& built) {
     for (const PassWork& kernel : built.profile.passes) kernels[kernel.name] = numberJson(kernel.ms);
     return {{"builder", nameOf(built.builder)},
             {"ms", numberJson(built.ms)},
+            {"trees", 1},
             {"runsMs", built.runs},
             {"setupMs", numberJson(built.setupMs)},
             {"sahCost", numberJson(s.sahCost)},

@@ -7,6 +7,8 @@
 #include "base/error.h"
 #include "core/trace_push.h"
 #include "shared/dispatch.h"
+#include "shared/traversal.h"
+#include "shared/triangle.h"
 
 namespace cleave {
 namespace {
@@ -51,6 +53,14 @@ std::vector<uint32_t> constantsOf(PictureKernels::Pass pass, const PictureInfo& 
     return {0, 0, 0, compiled, info.parts().emitters ? 1u : 0u};
 }
 
+// Kernels are told the numbers of modes.
+static_assert(kRestartTraversal == static_cast<uint32_t>(Traversal::restart) &&
+              kStackTraversal == static_cast<uint32_t>(Traversal::stack) &&
+              kShortStackTraversal == static_cast<uint32_t>(Traversal::shortStack));
+static_assert(kWatertightTest == static_cast<uint32_t>(TriangleTest::watertight) &&
+              kPlainTest == static_cast<uint32_t>(TriangleTest::plain) &&
+              kUnfilteredTest == static_cast<uint32_t>(TriangleTest::unfiltered));
+
 std::vector<uint32_t> alphaConstants(const TraceMode& mode, const PictureInfo& info) {
     return {mode.query == Query::any ? 1u : 0u, mode.countSteps ? 1u : 0u, static_cast<uint32_t>(mode.test),
             info.surfaces.parts & ~kPartNormals, static_cast<uint32_t>(mode.traversal)};
@@ -82,10 +92,11 @@ class PictureRecording {
 
     void primaryHits(bool resumes) {
         if (bounce_ == 0) zero(offsetof(PictureState, primary), sizeof(TraceCounters));
-        TraceInfo trace = traced(at_.rays, at_.hits, at_.trails, slice_.first, info_.primaryMode(), resumes);
+        TraceInfo trace = traced(at_.rays, at_.hits, slice_.first, info_.primaryMode(), resumes);
         trace.counters = address(at_.state) + offsetof(PictureState, primary);
         if (counts_.counted > 0) trace.steps = from<StepCount>(at_.steps, slice_.first);
-        hits(bounce_ == 0 ? PictureRays::primary : PictureRays::bounce, tracing_.primary, trace);
+        hits(bounce_ == 0 ? PictureRays::primary : PictureRays::bounce, tracing_.primary, trace,
+             {at_.trails, slice_.first, counts_.pixels});
         note(bounce_ == 0 ? "trace" : "trace bounces");
     }
 
@@ -108,10 +119,9 @@ class PictureRecording {
         // Where a pixel has two, the second ones come after the first ones of all.
         for (uint64_t before = 0; before < counts_.shadowed; before += counts_.pixels) {
             const auto first = static_cast<uint32_t>(before + slice_.first);
-            TraceInfo trace =
-                traced(at_.shadowRays, at_.shadowHits, at_.shadowTrails, first, info_.shadowMode(), resumes);
+            TraceInfo trace = traced(at_.shadowRays, at_.shadowHits, first, info_.shadowMode(), resumes);
             trace.counters = address(at_.state) + offsetof(PictureState, shadow);
-            hits(PictureRays::shadow, tracing_.shadow, trace);
+            hits(PictureRays::shadow, tracing_.shadow, trace, {at_.shadowTrails, first, counts_.shadowed});
         }
         note("trace shadows");
     }
@@ -150,7 +160,7 @@ class PictureRecording {
     VkDeviceAddress address(const Place& p) const { return addressOf(p, scratch_); }
     // Of an array's elements from `first` on.
     template <class T>
-    VkDeviceAddress from(const Place& p, uint32_t first) const {
+    VkDeviceAddress from(const Place& p, uint64_t first) const {
         return address(p) + first * sizeof(T);
     }
     PicturePush push(uint32_t round) const {
@@ -168,7 +178,22 @@ class PictureRecording {
     void zero(size_t offset, size_t bytes) {
         recorder_.fillZero(scratch_[0].buffer, scratch_[0].offset + at_.state.offset + offset, bytes);
     }
-    void hits(PictureRays rays, const Context* context, const TraceInfo& trace) {
+    // The trails of rays from `first` on; those of the next tree are `ofTree` further.
+    struct Trails {
+        Place at;
+        uint32_t first;
+        uint64_t ofTree;
+    };
+    // Tree by tree. A ray that is unfinished in one of them goes to the next with the hit that it has.
+    void hits(PictureRays rays, const Context* context, TraceInfo trace, const Trails& trails) {
+        for (size_t tree = 0; tree < info_.trees.size(); tree++) {
+            trace.tree = info_.trees[tree];
+            trace.fromHits = tree > 0 && !trace.resumes;
+            if (counts_.trails > 0) trace.trails = from<Trail>(trails.at, trails.first + tree * trails.ofTree);
+            hitsInTree(rays, context, trace);
+        }
+    }
+    void hitsInTree(PictureRays rays, const Context* context, const TraceInfo& trace) {
         if (info_.looksThrough(rays)) {
             const SurfaceTracePush all{tracePush(trace), push(bounce_)};
             recorder_.dispatch(kernels_.ofAlpha(trace.mode, info_), all, ceilDiv(trace.count, kGroup));
@@ -177,13 +202,10 @@ class PictureRecording {
         recorder_.barrier();
         cmdTrace(recorder_.commands(), *context, trace);
     }
-    TraceInfo traced(const Place& rays, const Place& hits, const Place& trails, uint32_t first, const TraceMode& mode,
-                     bool resumes) const {
+    TraceInfo traced(const Place& rays, const Place& hits, uint32_t first, const TraceMode& mode, bool resumes) const {
         TraceInfo trace;
-        trace.tree = info_.tree;
         trace.rays = from<Ray>(rays, first);
         trace.hits = from<Hit>(hits, first);
-        if (counts_.trails > 0) trace.trails = from<Trail>(trails, first);
         trace.count = slice_.count;
         trace.mode = mode;
         trace.stepLimit = info_.stepLimit;
@@ -200,7 +222,8 @@ PictureArgs pictureArgs(const PictureInfo& info, const PictureLayout& at, const 
     CLEAVE_PICTURE_ARRAYS(CLEAVE_BIND)
 #undef CLEAVE_BIND
     a.state = addressOf(at.state, scratch);
-    a.tree = info.tree;
+    a.bounds = info.bounds;
+    a.exponent = info.exponent;
     a.triangles = info.triangles;
 #define CLEAVE_BIND(name, Element, Array, part) a.name = info.surfaces.name;
     CLEAVE_SURFACE_ARRAYS(CLEAVE_BIND)

@@ -45,7 +45,10 @@ inline bool hasScale(View view) { return view == View::depth || countsSteps(view
 enum class PictureRays { primary, bounce, shadow };
 
 struct PictureInfo {
-    VkDeviceAddress tree = 0;
+    // Rays visit one after the other and go on from what they hit; together the trees have all triangles.
+    std::span<const VkDeviceAddress> trees;
+    Box bounds = emptyBox();        // of all trees, in the scaled space of `exponent`
+    int32_t exponent = 0;           // the largest of the trees'
     VkDeviceAddress triangles = 0;  // 36 bytes each: the vertices in world space, by number
     SurfaceAddresses surfaces;
     VkDeviceAddress lights = 0;    // LightSource of shared/light.h, settings.lightCount of them, for paths
@@ -77,6 +80,7 @@ struct PictureInfo {
         p.steps = p.steps || kept.steps;
         p.shadows = p.shadows || kept.shadows;
         p.emitters = kept.emitters || settings.emitters.slots > 0;
+        p.trees = static_cast<uint32_t>(trees.size());
         return p;
     }
     TraceMode primaryMode() const { return {Query::closest, traversal, test, parts().steps}; }

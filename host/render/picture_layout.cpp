@@ -10,10 +10,10 @@ PictureCounts pictureCounts(uint32_t width, uint32_t height, uint32_t view, uint
                             const PictureParts& parts) {
     PictureCounts n;
     n.pixels = uint64_t(width) * height;
-    n.trails = parts.trails ? n.pixels : 0;
+    n.trails = parts.trails ? parts.trees * n.pixels : 0;
     n.counted = parts.steps ? n.pixels : 0;
     n.shadowed = !parts.shadows ? 0 : view == kViewShaded && samples > 1 ? 2 * n.pixels : n.pixels;
-    n.shadowTrails = parts.trails ? n.shadowed : 0;
+    n.shadowTrails = parts.trails ? parts.trees * n.shadowed : 0;
     n.lit = isOfLight(view) ? n.pixels : 0;
     n.walked = parts.paths ? n.pixels : 0;
     return n;

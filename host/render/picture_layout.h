@@ -13,6 +13,7 @@ struct PictureParts {
     bool paths = false;
     bool trails = false;    // for rays that may go on in a further dispatch
     bool emitters = false;  // surfaces that paths look for as lights
+    uint32_t trees = 1;     // that rays visit: one trail for each
 };
 // What a view needs, with rays that may.
 PictureParts partsOf(uint32_t view);

@@ -1,8 +1,11 @@
 #include "run/device_tree.h"
 
+#include <algorithm>
 #include <cstring>
+#include <optional>
 
 #include "base/error.h"
+#include "shared/scale.h"
 #include "shared/tree_layout.h"
 
 namespace cleave {
@@ -30,8 +33,29 @@ Box DeviceTree::bounds() const {
     return {{header.lo[0], header.lo[1], header.lo[2]}, {header.hi[0], header.hi[1], header.hi[2]}};
 }
 
-std::shared_ptr<DeviceTree> uploadTree(Device& device, const TriangleSet& set, const KdTree& tree) {
-    const auto triangles = static_cast<uint32_t>(set.triangles.size());
+int Forest::exponent() const {
+    std::optional<int> largest;
+    for (const DeviceTree* tree : trees)
+        if (!isEmpty(tree->bounds()))
+            largest = std::max(largest.value_or(tree->header.exponent), tree->header.exponent);
+    return largest.value_or(trees.front()->header.exponent);
+}
+
+Box Forest::bounds() const {
+    Box all = emptyBox();
+    for (const DeviceTree* tree : trees) {
+        const Box own = tree->bounds();
+        if (isEmpty(own)) continue;
+        const int shift = tree->header.exponent - exponent();
+        all = including(including(all, timesPowerOfTwo(own.lo, shift)), timesPowerOfTwo(own.hi, shift));
+    }
+    return all;
+}
+
+std::shared_ptr<DeviceTree> uploadTree(Device& device, const TriangleSet& set, const KdTree& tree,
+                                       std::span<const uint32_t> list) {
+    const bool isOfList = !list.empty();
+    const auto triangles = static_cast<uint32_t>(isOfList ? list.size() : set.triangles.size());
     const auto nodes = static_cast<uint32_t>(tree.nodes.size());
     const auto leafRefs = static_cast<uint32_t>(tree.leafTriangles.size());
     const TreeLayout at = treeLayout(triangles, nodes, leafRefs);
@@ -55,10 +79,18 @@ std::shared_ptr<DeviceTree> uploadTree(Device& device, const TriangleSet& set, c
     made->memory.write(0, &h, sizeof(h));
     std::vector<TreeTriangle> numbered;
     numbered.reserve(triangles);
-    for (uint32_t i = 0; i < triangles; i++) numbered.push_back(treeTriangle(set.triangles[i], i));
+    for (uint32_t i = 0; i < triangles; i++) {
+        const uint32_t number = isOfList ? list[i] : i;
+        numbered.push_back(treeTriangle(set.triangles[number], number));
+    }
     made->memory.write(bytesOf(at.triangles), numbered.data(), triangles * sizeof(TreeTriangle));
     made->memory.write(bytesOf(at.nodes), tree.nodes.data(), nodes * sizeof(KdNode));
-    made->memory.write(bytesOf(at.leafRefs), tree.leafTriangles.data(), leafRefs * sizeof(uint32_t));
+    std::vector<uint32_t> indices = isOfList ? tree.leafTriangles : std::vector<uint32_t>();
+    for (uint32_t& triangle : indices)
+        triangle = static_cast<uint32_t>(std::ranges::lower_bound(list, triangle) - list.begin());
+    made->memory.write(bytesOf(at.leafRefs), isOfList ? indices.data() : tree.leafTriangles.data(),
+                       leafRefs * sizeof(uint32_t));
+    made->isOfList = isOfList;
     return made;
 }
 

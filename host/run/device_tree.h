@@ -3,6 +3,8 @@
 
 #include <memory>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "cleave/cleave.hpp"
 #include "gpu/buffer.h"
@@ -31,8 +33,21 @@ struct DeviceTree {
     Box bounds() const;
 };
 
-// A tree of the host, moved to the device. `set` is what it was built over.
-std::shared_ptr<DeviceTree> uploadTree(Device& device, const TriangleSet& set, const KdTree& tree);
+// Trees that share the triangles of a scene: one, or several that rays visit one after the other. They outlive this.
+struct Forest {
+    std::vector<const DeviceTree*> trees;
+
+    Forest(const DeviceTree& tree) : trees{&tree} {}
+    explicit Forest(std::vector<const DeviceTree*> several) : trees(std::move(several)) {}
+    // As a tree over all of the triangles would have them.
+    int exponent() const;
+    Box bounds() const;
+};
+
+// A tree of the host, moved to the device. `set` is what it was built over; of a part of the scene's triangles, if it
+// was made of a list of these.
+std::shared_ptr<DeviceTree> uploadTree(Device& device, const TriangleSet& set, const KdTree& tree,
+                                       std::span<const uint32_t> list = {});
 // A tree of the device, on the host. Its leaves list numbers of triangles.
 KdTree readBack(const DeviceTree& tree);
 

@@ -77,6 +77,7 @@ struct Renderer::State {
     std::optional<Buffer> albedo, lights, emitters;  // of paths
 
     // Of the picture that was begun last.
+    std::vector<VkDeviceAddress> trees;
     PictureInfo info;
     PictureTracing tracing;
     PictureLayout at;
@@ -183,9 +184,9 @@ Renderer::Renderer(Device& device, Tracer& tracer, TraceLimits limits) {
 }
 Renderer::~Renderer() = default;
 
-Picture Renderer::render(const DeviceTree& tree, const DeviceTriangles& triangles, const DeviceSurfaces& surfaces,
+Picture Renderer::render(const Forest& forest, const DeviceTriangles& triangles, const DeviceSurfaces& surfaces,
                          const PictureRequest& request) {
-    begin(tree, triangles, surfaces, request);
+    begin(forest, triangles, surfaces, request);
     while (samplesTaken() < request.samples) {
         while (!takeSlice()) continue;
         if (request.goesOn && !request.goesOn(samplesTaken())) break;
@@ -193,11 +194,15 @@ Picture Renderer::render(const DeviceTree& tree, const DeviceTriangles& triangle
     return show();
 }
 
-void Renderer::begin(const DeviceTree& tree, const DeviceTriangles& triangles, const DeviceSurfaces& surfaces,
+void Renderer::begin(const Forest& forest, const DeviceTriangles& triangles, const DeviceSurfaces& surfaces,
                      const PictureRequest& request) {
     State& s = *state_;
+    s.trees.clear();
+    for (const DeviceTree* tree : forest.trees) s.trees.push_back(tree->address());
     PictureInfo& info = s.info = {};
-    info.tree = tree.address();
+    info.trees = s.trees;
+    info.bounds = forest.bounds();
+    info.exponent = forest.exponent();
     info.triangles = triangles.triangles.address();
     info.surfaces = surfaces.addresses();
     info.camera = request.camera;

@@ -71,12 +71,12 @@ class Renderer {
     Renderer(Device& device, Tracer& tracer, TraceLimits limits = {});
     ~Renderer();
     double setupMilliseconds() const { return setupMs_; }  // of the kernels so far, without those that trace
-    Picture render(const DeviceTree& tree, const DeviceTriangles& triangles, const DeviceSurfaces& surfaces,
+    Picture render(const Forest& forest, const DeviceTriangles& triangles, const DeviceSurfaces& surfaces,
                    const PictureRequest& request);
 
     // The same in parts, for those who look at it on the way. What begin() is given outlives the picture; one that was
     // not finished is forgotten.
-    void begin(const DeviceTree& tree, const DeviceTriangles& triangles, const DeviceSurfaces& surfaces,
+    void begin(const Forest& forest, const DeviceTriangles& triangles, const DeviceSurfaces& surfaces,
                const PictureRequest& request);
     // Takes the next slice of a sample, at most TraceLimits::batch rays or, in the views that have a scale, all. True
     // if the sample is whole now.

@@ -111,7 +111,7 @@ const Context& Tracer::context(const TraceMode& mode) {
 
 double Tracer::setupMilliseconds() const { return state_->setupMs; }
 
-Tracer::Result Tracer::trace(const DeviceTree& tree, std::span<const Ray> rays, const TraceMode& mode,
+Tracer::Result Tracer::trace(const Forest& forest, std::span<const Ray> rays, const TraceMode& mode,
                              std::span<const Hit> from) {
     State& s = *state_;
     const Context& traced = context(mode);
@@ -120,10 +120,16 @@ Tracer::Result Tracer::trace(const DeviceTree& tree, std::span<const Ray> rays, 
     if (mode.countSteps) result.steps.resize(rays.size());
     for (size_t first = 0; first < rays.size(); first += s.limits.batch) {
         const std::span<const Ray> batch = s.batchAt(rays, first);
-        TraceInfo info = s.placed(tree, batch, mode);
+        TraceInfo info = s.placed(*forest.trees.front(), batch, mode);
         if (!from.empty()) s.hits.upload(from.subspan(first, batch.size()));
         info.fromHits = !from.empty();
-        s.trace(traced, info, result);
+        if (info.fromHits && mode.countSteps)
+            s.steps.upload(std::span<const StepCount>(result.steps).subspan(first, batch.size()));
+        for (const DeviceTree* tree : forest.trees) {
+            info.tree = tree->address();
+            s.trace(traced, info, result);
+            info.fromHits = true;
+        }
         s.hits.read(0, &result.hits[first], batch.size() * sizeof(Hit));
         if (mode.countSteps) s.steps.read(0, &result.steps[first], batch.size() * sizeof(StepCount));
     }

@@ -36,7 +36,7 @@ class Tracer {
         uint64_t cappedRays = 0;       // given up, answered as misses: must be 0
     };
     // `from`: hits of another tree to go on from, one per ray; empty: none.
-    Result trace(const DeviceTree& tree, std::span<const Ray> rays, const TraceMode& mode = {},
+    Result trace(const Forest& forest, std::span<const Ray> rays, const TraceMode& mode = {},
                  std::span<const Hit> from = {});
 
     // The first `hitsPerRay` crossings of each ray, in rows of as many whose rest are misses: by t and then by number,

@@ -89,4 +89,15 @@ uint64_t countMoving(const PosedScene& posed, const std::vector<bool>& movingNod
     return count;
 }
 
+std::vector<uint32_t> trianglesThat(bool move, const PosedScene& posed, const std::vector<bool>& movingNodes) {
+    std::vector<uint32_t> numbers;
+    size_t first = 0;
+    for (const ShownMesh& mesh : posed.meshes) {
+        if (movingNodes[mesh.node] == move)
+            for (size_t i = 0; i < mesh.triangles; ++i) numbers.push_back(static_cast<uint32_t>(first + i));
+        first += mesh.triangles;
+    }
+    return numbers;
+}
+
 }  // namespace cleave

@@ -14,7 +14,8 @@ namespace cleave {
 // if times of keys do not increase.
 std::vector<bool> movingNodes(const Scene& scene, const std::vector<uint32_t>& animations);
 
-// Returns how many of the posed triangles belong to nodes that move.
+// The triangles of nodes that move, and how many there are; or of those that do not.
 uint64_t countMoving(const PosedScene& posed, const std::vector<bool>& movingNodes);
+std::vector<uint32_t> trianglesThat(bool move, const PosedScene& posed, const std::vector<bool>& movingNodes);
 
 }  // namespace cleave

@@ -16,5 +16,5 @@ layout(push_constant, scalar) uniform Push { PicturePush push; };
 // The number of this invocation's ray; not below push.end: there is none.
 uint rayIndex() { return push.first + groupIndex() * kGroup + gl_LocalInvocationID.x; }
 
-// The triangle of a hit in the scaled space of the tree, where it neither overflows nor vanishes.
-Triangle hitTriangle(Hit hit) { return scaledTriangle(args.triangles.at[hit.prim], -args.tree.at.exponent); }
+// The triangle of a hit in the scaled space of the scene, where it neither overflows nor vanishes.
+Triangle hitTriangle(Hit hit) { return scaledTriangle(args.triangles.at[hit.prim], -args.exponent); }

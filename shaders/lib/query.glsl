@@ -2,17 +2,13 @@
 #ifndef CLEAVE_LIB_QUERY
 #define CLEAVE_LIB_QUERY
 #include "shared/ray.h"
+#include "shared/traversal.h"
 #include "lib/restart.glsl"
 #include "lib/short_stack.glsl"
 #include "lib/stack.glsl"
 #include "lib/crossings.glsl"
 
-const uint kRestartTraversal = 0u;
-const uint kShortStackTraversal = 1u;
-const uint kStackTraversal = 2u;
-
-// How rays find their way: kRestartTraversal (without a stack), kShortStackTraversal (a few entries) or kStackTraversal.
-// Answers are the same.
+// kRestartTraversal, kShortStackTraversal or kStackTraversal. Answers are the same.
 #ifndef CLEAVE_TRAVERSAL
 #define CLEAVE_TRAVERSAL kRestartTraversal
 #endif

@@ -20,8 +20,9 @@ layout(push_constant, scalar) uniform Push { CleaveTracePush push; CLEAVE_MORE_P
 
 bool has(uint flag) { return (push.flags & flag) != 0u; }
 
+// A ray that comes from another tree was counted there, if it is not valid.
 void count(bool valid, bool finished) {
-    if (!valid) atomicAdd(push.counters.at.invalidRays, 1u);
+    if (!valid && !has(kCleaveTraceFromHits)) atomicAdd(push.counters.at.invalidRays, 1u);
     if (!finished) atomicAdd(push.counters.at.unfinishedRays, 1u);
 }
 
@@ -32,10 +33,11 @@ void main() {
     CleaveTrail trail = cleaveEmptyTrail();
     if (resumes) trail = push.trails.at[i];
     if (cleaveIsFinished(trail)) return;
+    bool goesOn = resumes || has(kCleaveTraceFromHits);
     CleaveHit hit = cleaveMissedHit();
-    if (resumes || has(kCleaveTraceFromHits)) hit = push.hits.at[i];
+    if (goesOn) hit = push.hits.at[i];
     CleaveStepCount steps = cleaveNoSteps();
-    if (kCountSteps && resumes) steps = push.steps.at[i];
+    if (kCountSteps && goesOn) steps = push.steps.at[i];
 
     CleaveRay ray = push.rays.at[i];
     bool valid = cleaveIsValidRay(ray);

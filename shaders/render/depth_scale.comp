@@ -19,9 +19,8 @@ void main() {
     if (i < push.end) {
         Hit hit = args.hits.at[i];
         if (hit.prim != kNone) {
-            TreeData tree = args.tree.at;
             atomicMax(lowBits, ~orderedBits(hit.t));
-            atomicMax(highBits, orderedBits(depthReach(args.rays.at[i], hit, tree.bounds, tree.exponent)));
+            atomicMax(highBits, orderedBits(depthReach(args.rays.at[i], hit, args.bounds, args.exponent)));
         }
     }
     barrier();

@@ -33,13 +33,14 @@ layout(buffer_reference, scalar, buffer_reference_align = 4) buffer PictureState
 struct PictureArgs {
     CLEAVE_PICTURE_ARRAYS(CLEAVE_PICTURE_FIELD)
     CLEAVE_ADDRESS(PictureStateRef) state;
-    CLEAVE_ADDRESS(Tree) tree;
     CLEAVE_ADDRESS(TriangleArray) triangles;  // in world space, by number
     CLEAVE_SURFACE_ARRAYS(CLEAVE_SURFACE_FIELD)
     CLEAVE_ADDRESS(LightArray) lights;  // for paths, and so are the rest
     CLEAVE_ADDRESS(AliasArray) emitters;
     CLEAVE_ADDRESS(AlbedoTable) albedo;
     ImageCamera camera;
+    Box bounds;    // of the scene, in the scaled space of its trees
+    int exponent;  // scaled space to world: world = scaled * 2^exponent
     uint view;
     uint count;    // of pixels
     uint samples;  // of a pixel; a single one is at its centre
@@ -47,9 +48,8 @@ struct PictureArgs {
     PathSettings settings;
     float ambientReach;  // of the view `shaded`: what is farther from a surface takes no light from around it
     uint parts;          // that the scene has: kPartNormals and so on
-    uint reserved;
 };
-CLEAVE_SIZE(PictureArgs, 424);
+CLEAVE_SIZE(PictureArgs, 440);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) buffer PictureArgsRef { PictureArgs at; };

@@ -8,8 +8,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "shared/ray.h"
 #include "support/program.h"
+#include "support/ray_file.h"
 
 namespace cleave::test {
 namespace {
@@ -17,17 +17,6 @@ namespace {
 using Json = nlohmann::json;
 
 const float kNan = std::numeric_limits<float>::quiet_NaN();
-
-std::string bytesOf(const std::vector<Ray>& rays) {
-    return {reinterpret_cast<const char*>(rays.data()), rays.size() * sizeof(Ray)};
-}
-
-std::string npy(const std::string& shape, const std::string& data, const std::string& descr = "<f4",
-                const std::string& fortran = "False") {
-    const std::string header =
-        "{'descr': '" + descr + "', 'fortran_order': " + fortran + ", 'shape': " + shape + ", }\n";
-    return std::string("\x93NUMPY\1\0", 8) + static_cast<char>(header.size()) + '\0' + header + data;
-}
 
 // Straight down onto the middle of the triangle, at t = 1.
 Ray goodRay() { return {{0, 0, 2}, 0.0f, {0, 0, -2}, infinity()}; }
@@ -98,7 +87,7 @@ TEST_F(BadRays, AreMissesAndCountedWhateverTheBuilderAndTraversal) {
         rays.push_back(goodRay());
         spoil(rays.back());
     }
-    put(folder_ / "rays.npy", npy("(" + std::to_string(rays.size()) + ", 8)", bytesOf(rays)));
+    put(folder_ / "rays.npy", rayFile(rays));
     for (const auto& more : std::vector<std::vector<std::string>>{{},
                                                                   {"--any"},
                                                                   {"--builder", "brute"},

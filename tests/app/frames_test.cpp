@@ -7,6 +7,7 @@
 
 #include "scene/moving_triangle.h"
 #include "support/program.h"
+#include "support/ray_file.h"
 
 namespace cleave::test {
 namespace {
@@ -202,6 +203,66 @@ TEST_F(Frames, LeaveNothingBehind) {
          {std::pair(std::string(CLEAVE_SOURCE "/scenes/still_life.glb"), uint64_t{9}), {feature("skin"), many}}) {
         const uint64_t few = peakOf(file, 1);
         EXPECT_LT(peakOf(file, last), few + (8u << 20)) << file;
+    }
+}
+
+// A tree of its own for what moves changes no picture.
+TEST_F(Frames, AreTheSameWithATreeForWhatMoves) {
+    for (const auto& [name, view] : {std::pair("animation", "shaded"), {"morph_target", "path"}, {"skin", "depth"}}) {
+        const auto frames = [&](const char* split) {
+            return twoFrames(feature(name), {"--view", view, "--json", at("j"), "--split-moving", split});
+        };
+        const auto whole = frames("off");
+        EXPECT_EQ(reportOf("j")["build"]["trees"], 1);
+        EXPECT_EQ(reportOf("j")["build"]["staticMs"], 0.0);
+        EXPECT_EQ(frames("on"), whole) << name << ", " << view;
+        const Json report = reportOf("j");
+        EXPECT_EQ(report["build"]["trees"], 2);
+        EXPECT_GT(report["build"]["staticMs"], 0.0);
+        EXPECT_GT(report["frames"][1]["buildMs"], 0.0);
+    }
+    ASSERT_EQ(render({feature("unlit"), "-o", at("f.png"), "--frames", "0:1", "--fps", "1", "--split-moving", "on",
+                      "--json", at("j")})
+                  .status,
+              0);
+    EXPECT_EQ(reportOf("j")["build"]["trees"], 1) << "nothing moves";
+}
+
+// By itself where building counts for more than rays: a picture of a few pixels, not one of many.
+TEST_F(Frames, HaveATreeForWhatMovesWhereThatPays) {
+    for (const auto& [size, trees] : {std::pair("8x6", 2), {"128x96", 1}}) {
+        ASSERT_EQ(render({feature("animation"), "-o", at("f.png"), "--frames", "0:1", "--fps", "1", "--size", size,
+                          "--view", "depth", "--json", at("j")})
+                      .status,
+                  0);
+        EXPECT_EQ(reportOf("j")["build"]["trees"], trees) << size;
+    }
+}
+
+TEST_F(Frames, HitsAreTheSameWithATreeForWhatMoves) {
+    put(folder_ / "rays.npy", rayFile({{{-3.0f, 0.4f, 0.1f}, 0.0f, {1.0f, 0.0f, 0.01f}, infinity()},
+                                       {{0.0f, 3.0f, 0.0f}, 0.0f, {0.1f, -1.0f, 0.0f}, infinity()}}));
+    for (const char* query : {"", "--any"}) {
+        std::set<std::string> answers;
+        for (const char* split : {"on", "off", "auto"}) {
+            std::vector<std::string> arguments{
+                "trace",     feature("animation"), at("rays.npy"), "--time", "0.5",   "-o",
+                at("h.npy"), "--split-moving",     split,          "--json", at("j"), "--check",
+                "2"};
+            if (*query) arguments.emplace_back(query);
+            ASSERT_EQ(runCleave(arguments).status, 0);
+            answers.insert(contentOf(folder_ / "h.npy"));
+            const Json build = reportOf("j")["build"];
+            EXPECT_EQ(build["trees"], split == std::string("on") ? 2 : 1);
+            EXPECT_GT(build["nodes"], 0);
+            if (build["trees"] == 2) {
+                EXPECT_FALSE(build["parts"][0]["moves"]);
+                EXPECT_TRUE(build["parts"][1]["moves"]);
+            }
+        }
+        if (*query == '\0') {
+            EXPECT_EQ(answers.size(), 1u);  // which triangle --any finds is left open
+        }
     }
 }
 

@@ -304,6 +304,16 @@ TEST(Options, Frames) {
         EXPECT_EQ(refusal({"render", "-o", "d/f.png", "--frames", "0:1", "--fps", "1", "--json", json}), "") << json;
 }
 
+TEST(Options, SplitMovingIsAChoice) {
+    EXPECT_EQ(parse({"render"}).splitMoving, Choice::automatic);
+    EXPECT_EQ(parse({"render", "--split-moving", "off"}).splitMoving, Choice::off);
+    EXPECT_EQ(parse({"trace", "a.glb", "r.npy", "--split-moving", "on"}).splitMoving, Choice::on);
+    expectRefused({"render", "--split-moving", "maybe"}, "auto, on, off");
+    expectRefused({"render", "--tree", "t", "--split-moving", "on"}, "--split-moving");
+    for (const char* query : {"--count", "--all=3"})
+        expectRefused({"trace", "a.glb", "r.npy", query, "--split-moving", "on"}, "one tree");
+}
+
 TEST(FrameFiles, HaveFourDigitsOrMore) {
     EXPECT_EQ(frameFile("f.png", 0), "f_0000.png");
     EXPECT_EQ(frameFile("a/b.c/f.x.exr", 42), "a/b.c/f.x_0042.exr");
@@ -311,7 +321,7 @@ TEST(FrameFiles, HaveFourDigitsOrMore) {
 }
 
 TEST(Options, OptionsOfLaterAreNotTakenYet) {
-    for (const char* option : {"--split-moving", "--lazy", "--aperture"}) {
+    for (const char* option : {"--instances", "--lazy", "--aperture"}) {
         expectRefused({"render", option, "4"}, option);
         expectRefused({"render", option, "4"}, "--size");
     }

@@ -8,6 +8,7 @@
 
 #include "shared/ray.h"
 #include "support/program.h"
+#include "support/ray_file.h"
 
 namespace cleave::test {
 namespace {
@@ -41,12 +42,9 @@ class Program : public testing::Test {
     }
     // A ray straight down onto the triangle, one past it, one that is none.
     void putRays(const std::string& name) const {
-        const float rays[3][8] = {
-            {0, 0, 2, 0, 0, 0, -2, INFINITY}, {9, 9, 2, 0, 0, 0, -1, INFINITY}, {0, 0, 2, 0, 0, 0, 0, INFINITY}};
-        std::string bytes = std::string("\x93NUMPY\1\0", 8);
-        const std::string header = "{'descr': '<f4', 'fortran_order': False, 'shape': (3, 8), }\n";
-        bytes += {static_cast<char>(header.size()), '\0'};
-        put(folder_ / name, bytes + header + std::string(reinterpret_cast<const char*>(rays), sizeof rays));
+        put(folder_ / name, rayFile({{{0, 0, 2}, 0, {0, 0, -2}, infinity()},
+                                     {{9, 9, 2}, 0, {0, 0, -1}, infinity()},
+                                     {{0, 0, 2}, 0, {0, 0, 0}, infinity()}}));
     }
 
     TemporaryFolder folder_;

@@ -21,6 +21,7 @@
 #include "run/renderer.h"
 #include "support/device.h"
 #include "support/scenes.h"
+#include "support/small_picture.h"
 #include "support/trace_cases.h"
 #include "twin/twin_builder.h"
 
@@ -281,28 +282,6 @@ TEST(Record, BuildsAndTracesInShortRows) {
     EXPECT_EQ(treeHash(readBack(*tree)),
               treeHash(readBack(*usual.build(DeviceTriangles(device(), world), BuildSettings{}).tree)));
     expectBruteForce(makeTriangleSet(world), rays, Tracer(*rows).trace(*tree, rays).hits);
-}
-
-struct SmallPicture {
-    std::vector<Triangle> world;
-    SurfaceData data;
-    PictureRequest request;
-};
-
-SmallPicture smallPicture(uint32_t triangles, uint32_t seed) {
-    SmallPicture small{mixedTriangles(triangles, seed), {}, {}};
-    small.data.surfaceOf.assign(small.world.size(), 0);
-    small.data.materials = {plainMaterial({0.8f, 0.5f, 0.2f, 1.0f}, vec3(0.0f), 0.0f, 1.0f, 0)};
-    ImageCamera& camera = small.request.camera;
-    camera.eye = {0.5, 0.5, 4.0};
-    camera.forward = {0, 0, -1};
-    camera.right = {1, 0, 0};
-    camera.up = {0, 1, 0};
-    camera.pixel = 0.6 / 60;
-    camera.width = 77;
-    camera.height = 60;
-    camera.tMax = infinity();
-    return small;
 }
 
 // The same for every kernel of a picture.

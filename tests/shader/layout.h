@@ -78,7 +78,7 @@ struct LayoutRecord {
     UINT(buildArgs.clip) UINT(buildArgs.subsample) UINT(buildArgs.snap) UINT(buildArgs.row)                      \
     FLOAT(buildArgs.invBinCount) FLOAT(buildArgs.costs.traverse) FLOAT(buildArgs.costs.intersect)                \
     FLOAT(buildArgs.costs.leaf) FLOAT(buildArgs.costs.emptyBonus)                                                \
-    ADDRESS(pictureArgs.state, PictureStateRef) ADDRESS(pictureArgs.tree, Tree)                                  \
+    ADDRESS(pictureArgs.state, PictureStateRef) FLOAT(pictureArgs.bounds.hi.z) INT(pictureArgs.exponent)                                  \
     ADDRESS(pictureArgs.triangles, TriangleArray) ADDRESS(pictureArgs.surfaceOf, NumberArray)                    \
     ADDRESS(pictureArgs.materials, MaterialArray) ADDRESS(pictureArgs.normals, Vec3Array)                        \
     ADDRESS(pictureArgs.texels, TexelArray) ADDRESS(pictureArgs.lights, LightArray)                              \

@@ -147,10 +147,6 @@ PicturePair::PicturePair(uint32_t width, uint32_t height, View view, uint32_t se
     lights_ = uploaded(device(), std::span<const LightSource>(arrays.lights));
     emitters_ = uploaded(device(), std::span<const AliasSlot>(arrays.emitters));
     albedo_ = uploaded(device(), std::span<const SpecularAlbedo>(arrays.albedo));
-    TreeData tree{};
-    tree.bounds = set.bounds;
-    tree.exponent = set.exponent;
-    tree_ = uploaded(device(), std::span<const TreeData>(&tree, 1));
     at_ = pictureLayout(counts, 0);
     const VkDeviceSize bytes = at_.ranges.size(0);
     scratch_.reserve(device(), {&bytes, 1});
@@ -159,7 +155,8 @@ PicturePair::PicturePair(uint32_t width, uint32_t height, View view, uint32_t se
 PictureArrays PicturePair::onDevice(PictureKernels::Pass pass, PassNumbers numbers) {
     Buffer& scratch = const_cast<Buffer&>(scratch_.buffer(0));
     PictureInfo info;
-    info.tree = tree_.address();
+    info.bounds = arrays.bounds;
+    info.exponent = arrays.exponent;
     info.triangles = triangles_.address();
     info.surfaces = surfaces_->addresses();
     info.lights = lights_.address();

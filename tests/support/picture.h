@@ -23,7 +23,7 @@ class PicturePair {
     void onTwin(PictureKernels::Pass pass, PassNumbers numbers = {});
 
   private:
-    Buffer triangles_, lights_, emitters_, albedo_, tree_;
+    Buffer triangles_, lights_, emitters_, albedo_;
     std::unique_ptr<DeviceSurfaces> surfaces_;
     RangeBuffers scratch_;
     PictureLayout at_;

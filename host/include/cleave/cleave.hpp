@@ -25,7 +25,7 @@ namespace cleave {
 
 // Versions of this interface, of the bytes of a tree, and of the answers: the last is raised whenever a bit of a hit
 // may change.
-inline constexpr uint32_t kApiVersion = 6;
+inline constexpr uint32_t kApiVersion = 7;
 inline constexpr uint32_t kTreeFormat = 2;
 inline constexpr uint32_t kAnswersVersion = 2;
 
@@ -221,7 +221,7 @@ struct TraceHit {
 
 // Counts over all rays of all calls that were given them; zero them first.
 struct TraceCounts {
-    uint32_t invalidRays;
+    uint32_t invalidRays;     // of rays that do not go on from hits: those were counted with the first tree
     uint32_t unfinishedRays;  // see TraceInfo::trails; answered as misses where there are none
 };
 
@@ -249,7 +249,7 @@ struct TraceInfo {
     // What follows is for closest and any hits.
     //
     // Goes on from the hits that are there, of another tree: the closer one stays, and for any-hit queries a hit ends
-    // the ray at once. Off: hits are written only.
+    // the ray at once. Steps are added to those that are there. Off: hits and steps are written only.
     bool fromHits = false;
     // A dispatch gives up on a ray after so many nodes and triangles, so that no ray can hang a device: 0: 2^20. With
     // `trails` (8 bytes per ray) the ray is counted as unfinished, keeps its best hit so far, and goes on where it was

@@ -1,0 +1,115 @@
+#include "app/scene_trees.h"
+
+#include <algorithm>
+
+#include "base/text.h"
+#include "scene/moving_nodes.h"
+
+namespace cleave {
+namespace {
+
+// Rays of a pose that lose as much by a second tree as building one triangle takes: see docs/motion.md.
+constexpr uint64_t kRaysPerTriangle = 100;
+
+bool pays(const TreeWork& work, uint64_t staticTriangles) {
+    return work.recurs && !work.showsTree && staticTriangles > work.rays / kRaysPerTriangle;
+}
+
+double distanceTo(const DeviceTree& tree, const glm::dvec3& eye) {
+    const Box bounds = tree.bounds();
+    const double unit = std::ldexp(1.0, tree.header.exponent);
+    const glm::dvec3 nearest = glm::clamp(eye, unit * glm::dvec3(bounds.lo), unit * glm::dvec3(bounds.hi));
+    return glm::distance(eye, nearest);
+}
+
+}  // namespace
+
+SceneTrees::SceneTrees(const Options& options, Session& session, const TreeWork& work) : session_(session) {
+    const PosedScene& posed = session.posed();
+    const std::vector<bool> nodes = movingNodes(session.scene(), session.animations());
+    moving_ = countMoving(posed, nodes);
+    const Builder chosen = session.chosenBuilder(work.showsTree);
+    const bool wanted = options.splitMoving == Choice::on ||
+                        (options.splitMoving == Choice::automatic && pays(work, staticTriangles()));
+    if (!wanted || moving_ == 0 || staticTriangles() == 0) {
+        parts_.push_back({chosen, {}, false});
+        return;
+    }
+    const auto builderOf = [&](const std::vector<uint32_t>& list, Builder otherwise) {
+        const bool isFew = list.size() <= kFewTriangles && !session.needs().keeps(Need::tree);
+        return options.namesBuilder ? chosen : isFew ? Builder::brute : otherwise;
+    };
+    for (const bool moves : {false, true}) {
+        std::vector<uint32_t> list = trianglesThat(moves, posed, nodes);
+        const Builder builder = builderOf(list, moves ? Builder::gpu : Builder::exact);
+        parts_.push_back({builder, std::move(list), !moves});
+    }
+}
+
+uint64_t SceneTrees::staticTriangles() const { return session_.posed().triangles.size() - moving_; }
+
+void SceneTrees::build(bool plain) {
+    ms_ = staticMs_ = 0.0;
+    for (Part& part : parts_) {
+        if (part.stays && part.built.onDevice) continue;
+        part.built = {};  // the old one need not be beside the new one
+        if (plain || areSplit())
+            part.built =
+                plain ? session_.buildPlain(part.builder, part.list) : session_.buildPart(part.builder, part.list);
+        else
+            part.built = session_.build(part.builder);
+        session_.upload(part.built);
+        ms_ += part.built.ms;
+        if (part.stays) staticMs_ += part.built.ms;
+    }
+}
+
+Forest SceneTrees::forest() {
+    std::vector<const DeviceTree*> trees;
+    for (const Part& part : parts_) trees.push_back(part.built.onDevice.get());
+    return Forest(std::move(trees));
+}
+
+Forest SceneTrees::forest(const glm::dvec3& eye) {
+    Forest forest = this->forest();
+    std::ranges::stable_sort(forest.trees, {}, [&](const DeviceTree* tree) { return distanceTo(*tree, eye); });
+    return forest;
+}
+
+Json SceneTrees::json() const {
+    if (!areSplit()) return buildJson(parts_.front().built);
+    Json json{{"builder", nameOf(builder())}, {"ms", numberJson(ms_)}, {"trees", parts_.size()}};
+    uint64_t nodes = 0, leaves = 0, references = 0, peak = 0;
+    uint32_t depth = 0;
+    Json parts = Json::array();
+    for (const Part& part : parts_) {
+        const TreeStatistics& s = part.built.statistics;
+        nodes += s.nodes;
+        leaves += s.leaves;
+        references += s.references;
+        depth = std::max(depth, s.maxDepth);
+        peak = std::max(peak, part.built.peakBytes);
+        Json one{{"moves", !part.stays}, {"triangles", part.list.size()}};
+        one.update(buildJson(part.built));
+        parts.push_back(std::move(one));
+    }
+    json.update(Json{{"nodes", nodes},
+                     {"leaves", leaves},
+                     {"references", references},
+                     {"maxDepth", depth},
+                     {"peakBytes", peak},
+                     {"parts", parts}});
+    return json;
+}
+
+std::string SceneTrees::lines() const {
+    std::string text;
+    for (const Part& part : parts_) {
+        if (areSplit())
+            text += "tree      of " + grouped(part.list.size()) + (part.stays ? " that stay\n" : " that move\n");
+        text += builtLine(part.built);
+    }
+    return text;
+}
+
+}  // namespace cleave
