@@ -96,16 +96,25 @@ std::optional<HalfSpace> clipOf(const Controls& controls, const WorldBox& root) 
     return HalfSpace{normal, normal[axis] * glm::mix(root.lo[axis], root.hi[axis], double{controls.clipAt})};
 }
 
+WorldBox boundsOf(const std::vector<StagedTree>& trees) {
+    WorldBox all = rootCell(*trees.front().tree);
+    for (const StagedTree& tree : trees) {
+        const WorldBox root = rootCell(*tree.tree);
+        all = {glm::min(all.lo, root.lo), glm::max(all.hi, root.hi)};
+    }
+    return all;
+}
+
 }  // namespace
 
 void drawOverlay(const Controls& controls, const Facts& facts, float width, float height) {
     if (!facts.painted || width < 1.0f || height < 1.0f) return;
-    const KdTree& tree = *facts.painted->staged->tree;
-    const WorldBox root = rootCell(tree);
-    const Lines lines(facts.painted->camera, width, height, clipOf(controls, root));
-    if (controls.overlayLevel > 0) {
-        lines.box(root, colourOfLevel(0, controls.overlayLevel), 1.6f);
-        const std::vector<CutPlane> planes = cutPlanes(tree, controls.overlayLevel, kMostPlanes);
+    const std::vector<StagedTree>& trees = facts.painted->staged->trees;
+    const Lines lines(facts.painted->camera, width, height, clipOf(controls, boundsOf(trees)));
+    for (size_t i = 0; controls.overlayLevel > 0 && i < trees.size(); ++i) {
+        lines.box(rootCell(*trees[i].tree), colourOfLevel(0, controls.overlayLevel), 1.6f);
+        const std::vector<CutPlane> planes =
+            cutPlanes(*trees[i].tree, controls.overlayLevel, kMostPlanes / trees.size());
         for (auto plane = planes.rbegin(); plane != planes.rend(); ++plane)
             lines.box(plane->box, colourOfLevel(plane->depth, controls.overlayLevel),
                       plane->depth + 1 < controls.overlayLevel ? 1.4f : 1.0f);

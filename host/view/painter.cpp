@@ -66,7 +66,7 @@ struct Painter::Easel {
     std::unique_ptr<Renderer> renderer;
     std::shared_ptr<const Staged> there;  // what is uploaded
     std::unique_ptr<DeviceTriangles> triangles;
-    std::shared_ptr<DeviceTree> tree;
+    std::vector<std::shared_ptr<DeviceTree>> trees;
     std::unique_ptr<DeviceSurfaces> surfaces;
     std::unique_ptr<Reference> reference;
     std::shared_ptr<const StagedPose> referenceOf;
@@ -81,10 +81,7 @@ struct Painter::Easel {
             triangles.reset();
             triangles = std::make_unique<DeviceTriangles>(device, staged->geometry->posed.triangles);
         }
-        if (!there || there->tree != staged->tree) {
-            tree.reset();
-            tree = uploadTree(device, staged->geometry->set, *staged->tree);
-        }
+        uploadTrees(*staged);
         if (!there || there->surfaces != staged->surfaces) {
             surfaces.reset();
             surfaces = std::make_unique<DeviceSurfaces>(device, *staged->surfaces);
@@ -93,6 +90,29 @@ struct Painter::Easel {
             surfaces->move(device, staged->geometry->moved);
         }
         there = staged;
+    }
+
+    // Those that are there stay.
+    void uploadTrees(const Staged& staged) {
+        const auto isThere = [&](size_t i) {
+            return there && i < there->trees.size() && i < staged.trees.size() &&
+                   there->trees[i].tree == staged.trees[i].tree;
+        };
+        for (size_t i = 0; i < trees.size(); ++i)
+            if (!isThere(i)) trees[i].reset();  // the old ones need not be beside the new ones
+        trees.resize(staged.trees.size());
+        for (size_t i = 0; i < trees.size(); ++i) {
+            if (trees[i]) continue;
+            const StagedTree& tree = staged.trees[i];
+            const std::span<const uint32_t> list = tree.list ? std::span(*tree.list) : std::span<const uint32_t>();
+            trees[i] = uploadTree(kit.device(), *tree.set, *tree.tree, list);
+        }
+    }
+
+    Forest forest() const {
+        std::vector<const DeviceTree*> all;
+        for (const auto& tree : trees) all.push_back(tree.get());
+        return Forest(std::move(all));
     }
 
     double& costOf(View view) { return msPerPixel.at(static_cast<size_t>(view)); }
@@ -168,7 +188,7 @@ struct Painter::Easel {
             renderer = std::make_unique<Renderer>(kit.device(), kit.tracer(), TraceLimits{.batch = kRaysPerSlice});
         const double scale = scaleOf(wish);
         const PictureRequest request = requestOf(wish, scale);
-        renderer->begin(*tree, *triangles, *surfaces, request);
+        renderer->begin(forest(), *triangles, *surfaces, request);
         const Stopwatch painting;  // without what was compiled
         double shownAt = 0.0;
         while (renderer->samplesTaken() < request.samples) {
@@ -204,7 +224,7 @@ struct Painter::Easel {
         for (uint32_t i = 0; i < kWidth * kHeight; ++i)
             rays.push_back(imageRay(camera, i % kWidth + 0.5, i / kWidth + 0.5));
         const Tracer::Result traced =
-            kit.tracer().trace(*tree, rays, {Query::closest, wish.traversal, wish.test, true});
+            kit.tracer().trace(forest(), rays, {Query::closest, wish.traversal, wish.test, true});
         auto painted = std::make_shared<Painted>(*shown);
         painted->work = workOf(traced.steps, kit.device().subgroupSize());
         shown = painted;
@@ -216,7 +236,7 @@ struct Painter::Easel {
         if (!reference || referenceOf != wish.staged->geometry) {
             reference.reset();
             referenceOf = wish.staged->geometry;
-            reference = std::make_unique<Reference>(referenceOf->posed.triangles, referenceOf->set.included);
+            reference = std::make_unique<Reference>(referenceOf->posed.triangles, referenceOf->set->included);
         }
         const uint32_t width = std::min(kMostCompared, std::max(1u, wish.width / 2));
         const uint32_t height = std::max(1u, static_cast<uint32_t>(uint64_t{width} * 2 * wish.height / wish.width));
@@ -226,7 +246,7 @@ struct Painter::Easel {
         for (uint32_t y = 0; y < height; ++y)
             for (uint32_t x = 0; x < width; ++x) rays.push_back(imageRay(camera, x + 0.5, y + 0.5));
         const std::vector<Hit> hits =
-            kit.tracer().trace(*tree, rays, {Query::closest, wish.traversal, wish.test, false}).hits;
+            kit.tracer().trace(forest(), rays, {Query::closest, wish.traversal, wish.test, false}).hits;
         Picture blank;
         blank.width = 2 * width;
         blank.height = height;
@@ -262,8 +282,8 @@ struct Painter::Easel {
 
     Picked shoot(uint64_t number, const Ray& ray) {
         Picked picked{number, {}, false};
-        if (!tree) return picked;
-        const Hit hit = kit.tracer().trace(*tree, std::span(&ray, 1)).hits.front();
+        if (trees.empty()) return picked;
+        const Hit hit = kit.tracer().trace(forest(), std::span(&ray, 1)).hits.front();
         picked.hits = hit.prim != kNone;
         if (picked.hits) picked.point = glm::dvec3(ray.origin) + double{hit.t} * glm::dvec3(ray.direction);
         return picked;

@@ -90,16 +90,24 @@ void builderControls(Controls& controls) {
     ImGui::TreePop();
 }
 
-void buildRows(const Staged& staged) {
-    const TreeStatistics& tree = staged.statistics;
-    row("build", fixed(staged.buildMs, 2) + " ms");
+void treeRows(const Staged& staged, const StagedTree& built) {
+    const TreeStatistics& tree = built.statistics;
+    row("build", fixed(built.buildMs, 2) + " ms");
     std::string cost = fixed(tree.sahCost, 1);
     if (staged.exactCost && tree.sahCost && *staged.exactCost > 0.0)
         cost += ", " + fixed(*tree.sahCost / *staged.exactCost, 3) + " of exact";
     row("SAH cost", cost);
     row("nodes, depth", grouped(tree.nodes) + ", " + std::to_string(tree.maxDepth));
     row("references", grouped(tree.references));
-    row("peak of build", bytesText(staged.peakBytes));
+    row("peak of build", bytesText(built.peakBytes));
+}
+
+void buildRows(const Staged& staged) {
+    for (const StagedTree& tree : staged.trees) {
+        const bool stays = &tree != &staged.trees.back();
+        if (tree.list) row(stays ? "built once" : "built anew", grouped(tree.list->size()) + " triangles");
+        treeRows(staged, tree);
+    }
     if (staged.passes.empty() || !ImGui::TreeNode("passes of the build")) return;
     double all = 0.0;
     for (const PassWork& pass : staged.passes) all += pass.ms;
@@ -191,7 +199,9 @@ void animationControls(Controls& controls, const Staged& staged) {
     ImGui::Checkbox("loop", &controls.loops);
     const uint64_t all = staged.geometry->posed.triangles.size(), moving = staged.geometry->movingTriangles;
     row("moving, static", grouped(moving) + ", " + grouped(all - moving));
-    row("frame", "pose " + fixed(staged.geometry->poseMs, 1) + " ms, build " + fixed(staged.buildMs, 1) + " ms");
+    row("frame",
+        "pose " + fixed(staged.geometry->poseMs, 1) + " ms, build " + fixed(staged.trees.back().buildMs, 1) + " ms");
+    if (staged.trees.size() > 1) row("what stays", "built once in " + fixed(staged.trees.front().buildMs, 1) + " ms");
 }
 
 void frameRows(const Facts& facts) {

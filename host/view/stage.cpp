@@ -33,6 +33,10 @@ bool sameSettings(const BuildSettings& a, const BuildSettings& b) {
            a.otherAxes == b.otherAxes && a.smallNodes == b.smallNodes && a.memory == b.memory;
 }
 
+bool sameTrees(const Staged& a, const Staged& b) {
+    return std::ranges::equal(a.trees, b.trees, {}, &StagedTree::tree, &StagedTree::tree);
+}
+
 // What lives on the thread: the device, and the steps from a wish to what is staged.
 struct Stage::Workshop {
     explicit Workshop(Stage& s) : stage(s), kit(s.device_) {}
@@ -66,7 +70,7 @@ struct Stage::Workshop {
         if (time) at = {*time, loaded.animations};
         made->posed = pose(loaded.scene, at, kMostTriangles, Detail::corners);
         made->poseMs = watch.milliseconds();
-        made->set = makeTriangleSet(made->posed.triangles);
+        made->set = std::make_shared<TriangleSet>(makeTriangleSet(made->posed.triangles));
         made->moved = posedSurfaces(made->posed, needs);
         made->lighting = lightingOf(loaded.scene, made->posed);
         made->bounds = finiteBounds(made->posed.triangles);
@@ -84,24 +88,52 @@ struct Stage::Workshop {
         next.surfacesOf = wish.view;
     }
 
-    void build(Staged& next, const StageWish& wish) {
+    bool splits(const Staged& staged, const StageWish& wish) const {
+        const uint64_t moving = staged.geometry->movingTriangles;
+        return wish.plays && moving > 0 && moving < staged.geometry->posed.triangles.size();
+    }
+
+    // One tree over all, or two, of which the first stays while the scene and the builder do.
+    void build(Staged& next, const StageWish& wish, const Staged* before) {
         stage.setPhase("building (" + nameOf(wish.builder) + ")");
         next.builder = wish.builder;
         next.settings = wish.settings;
         next.passes.clear();
+        next.trees.clear();
+        if (!splits(next, wish)) {
+            next.trees.push_back(built(next, wish, nullptr));
+            return;
+        }
+        const auto numbers = [&](bool move) {
+            return std::make_shared<const std::vector<uint32_t>>(
+                trianglesThat(move, next.geometry->posed, next.scene->movingNodes));
+        };
+        const bool stays = before && before->trees.size() > 1 && before->scene == next.scene &&
+                           before->builder == wish.builder && sameSettings(before->settings, wish.settings);
+        next.trees.push_back(stays ? before->trees.front() : built(next, wish, numbers(false)));
+        next.trees.push_back(built(next, wish, numbers(true)));
+    }
+
+    StagedTree built(const Staged& next, const StageWish& wish, std::shared_ptr<const std::vector<uint32_t>> list) {
+        StagedTree made;
+        made.set = next.geometry->set;
+        if (list) made.set = std::make_shared<TriangleSet>(makeTriangleSet(next.geometry->posed.triangles, *list));
         if (wish.builder == Builder::gpu) {
-            const GpuBuilder::Result result = kit.builder().build(onDevice(next.geometry), wish.settings);
-            next.tree = std::make_shared<KdTree>(readBack(*result.tree));
-            next.buildMs = result.ms;
-            next.peakBytes = result.peakBytes;
+            const std::span<const uint32_t> numbers = list ? std::span(*list) : std::span<const uint32_t>();
+            const GpuBuilder::Result result = kit.builder().build(onDevice(next.geometry), wish.settings, numbers);
+            made.tree = std::make_shared<KdTree>(readBack(*result.tree));
+            made.buildMs = result.ms;
+            made.peakBytes = result.peakBytes;
         } else {
             const Stopwatch watch;
-            BuildOutcome outcome = hostBuilder(wish.builder.name).build(next.geometry->set, wish.settings);
-            next.buildMs = watch.milliseconds();
-            next.tree = std::make_shared<KdTree>(std::move(outcome.tree));
-            next.peakBytes = outcome.peakBytes;
+            BuildOutcome outcome = hostBuilder(wish.builder.name).build(*made.set, wish.settings);
+            made.buildMs = watch.milliseconds();
+            made.tree = std::make_shared<KdTree>(std::move(outcome.tree));
+            made.peakBytes = outcome.peakBytes;
         }
-        next.statistics = computeStatistics(*next.tree, wish.settings.costs);
+        made.statistics = computeStatistics(*made.tree, wish.settings.costs);
+        made.list = std::move(list);
+        return made;
     }
 
     const DeviceTriangles& onDevice(const std::shared_ptr<const StagedPose>& geometry) {
@@ -114,21 +146,21 @@ struct Stage::Workshop {
 
     // Where its time goes, and how good the tree is: after it is shown, unless there is something else to do.
     void lookClosely(const std::shared_ptr<const Staged>& shown) {
-        if (shown->time || stage.isAskedForMore()) return;
+        if (shown->time || shown->trees.size() > 1 || stage.isAskedForMore()) return;
         auto next = std::make_shared<Staged>(*shown);
         if (shown->builder == Builder::gpu) {
             stage.setPhase("timing the passes of the build");
             next->passes = kit.builder().profile(onDevice(shown->geometry), shown->settings).passes;
             stage.publish(next);
         }
-        if (shown->geometry->set.included.size() > kMostToCompare || stage.isAskedForMore()) return;
+        if (shown->geometry->set->included.size() > kMostToCompare || stage.isAskedForMore()) return;
         next = std::make_shared<Staged>(*next);
-        next->exactCost = shown->statistics.sahCost;
+        next->exactCost = shown->trees.front().statistics.sahCost;
         if (!(shown->builder == Builder::exact)) {
             stage.setPhase("building the exact tree, to compare with");
             BuildSettings alone = shown->settings;
             alone.threads = 1;  // the picture needs the others
-            const BuildOutcome exact = hostBuilder(Builder::exact.name).build(shown->geometry->set, alone);
+            const BuildOutcome exact = hostBuilder(Builder::exact.name).build(*shown->geometry->set, alone);
             next->exactCost = computeStatistics(exact.tree, alone.costs).sahCost;
         }
         stage.publish(next);
@@ -139,8 +171,9 @@ struct Stage::Workshop {
         auto next = before ? std::make_shared<Staged>(*before) : std::make_shared<Staged>();
         const bool loads = !before || before->scene->file != wish.file;
         const bool poses = loads || before->time != wish.time;
-        const bool builds =
-            poses || !(before->builder == wish.builder) || !sameSettings(before->settings, wish.settings);
+        const bool builds = poses || !(before->builder == wish.builder) ||
+                            !sameSettings(before->settings, wish.settings) ||
+                            splits(*before, wish) != (before->trees.size() > 1);
         const bool reads = loads || !shows(before->surfacesOf, wish.view);
         if (!poses && !builds && !reads) return stage.publish(before, wish.number);
         std::shared_ptr<LoadedScene> loaded;
@@ -156,7 +189,7 @@ struct Stage::Workshop {
         if (reads) readSurfaces(*next, wish);
         if (builds) {
             next->exactCost.reset();
-            build(*next, wish);
+            build(*next, wish, before.get());
         }
         stage.publish(next, wish.number);
         if (builds) lookClosely(next);

@@ -23,6 +23,7 @@ struct StageWish {
     std::filesystem::path file;
     std::string animation;       // as Options::animation
     std::optional<double> time;  // none: the rest pose
+    bool plays = false;          // other times follow: what moves has a tree of its own (docs/motion.md)
     Builder builder = Builder::gpu;
     BuildSettings settings;
     View view = View::shaded;  // whose surfaces are read; those of paths have all others
@@ -45,12 +46,22 @@ struct LoadedScene {
 // Its triangles at a time.
 struct StagedPose {
     PosedScene posed;
-    TriangleSet set;
+    std::shared_ptr<const TriangleSet> set;
     SurfaceData moved;  // what of the surfaces is this pose's
     Lighting lighting;
     Box bounds = emptyBox();
     uint64_t movingTriangles = 0;
     double poseMs = 0.0;
+};
+
+// A tree over all triangles of a pose, or over some of them.
+struct StagedTree {
+    std::shared_ptr<const KdTree> tree;
+    std::shared_ptr<const TriangleSet> set;             // what it was built over
+    std::shared_ptr<const std::vector<uint32_t>> list;  // numbers of its triangles; null: all
+    TreeStatistics statistics;
+    double buildMs = 0.0;
+    uint64_t peakBytes = 0;  // of the build
 };
 
 // What there is to look at. Parts that did not change are those of the one before.
@@ -62,14 +73,14 @@ struct Staged {
     std::optional<double> time;
     Builder builder = Builder::gpu;
     BuildSettings settings;
-    std::shared_ptr<const KdTree> tree;
-    TreeStatistics statistics;
-    double buildMs = 0.0;
-    uint64_t peakBytes = 0;           // of the build
+    std::vector<StagedTree> trees;    // one, or that of what stays and that of what moves
     std::vector<PassWork> passes;     // of builds on the device, of scenes at rest
     std::optional<double> exactCost;  // SAH cost of the exact builder's tree with the same constants
     std::vector<std::string> warnings;
 };
+
+// Whether they have the same trees.
+bool sameTrees(const Staged& a, const Staged& b);
 
 class Stage {
   public:

@@ -27,7 +27,7 @@ bool sameCamera(const Camera& a, const Camera& b) {
 }
 
 bool sameScene(const std::shared_ptr<const Staged>& a, const std::shared_ptr<const Staged>& b) {
-    return a && b && a->geometry == b->geometry && a->tree == b->tree && a->surfaces == b->surfaces;
+    return a && b && a->geometry == b->geometry && sameTrees(*a, *b) && a->surfaces == b->surfaces;
 }
 
 bool samePicture(const PaintWish& a, const PaintWish& b) {
@@ -253,7 +253,17 @@ void Viewing::update(glm::uvec2 size) {
     facts_.phase = stage_.phase();
     facts_.deviceBytes = stage_.deviceBytes() + painter_.deviceBytes();
     facts_.leaves.clear();
-    if (controls.rayCells && facts_.painted) facts_.leaves = leavesAlong(*facts_.painted->staged->tree, rayAt(cursor_));
+    if (controls.rayCells && facts_.painted) facts_.leaves = leavesUnderCursor(*facts_.painted->staged);
+}
+
+std::vector<PassedLeaf> Viewing::leavesUnderCursor(const Staged& staged) const {
+    std::vector<PassedLeaf> leaves;
+    for (const StagedTree& tree : staged.trees) {
+        const std::vector<PassedLeaf> own = leavesAlong(*tree.tree, rayAt(cursor_));
+        leaves.insert(leaves.end(), own.begin(), own.end());
+    }
+    std::ranges::stable_sort(leaves, {}, &PassedLeaf::entry);
+    return leaves;
 }
 
 void Viewing::takeStaged() {
@@ -340,10 +350,11 @@ void Viewing::play(double seconds) {
 void Viewing::askStage() {
     StageWish& wish = controls.stage;
     wish.view = controls.view == View::path ? View::path : View::shaded;
+    wish.plays = controls.plays;
     const auto sameAs = [&](const StageWish& asked) {
         return asked.number != 0 && asked.file == wish.file && asked.animation == wish.animation &&
-               asked.time == wish.time && asked.builder == wish.builder && asked.view == wish.view &&
-               sameSettings(asked.settings, wish.settings);
+               asked.time == wish.time && asked.plays == wish.plays && asked.builder == wish.builder &&
+               asked.view == wish.view && sameSettings(asked.settings, wish.settings);
     };
     if (sameAs(stageAsked_)) return;
     wish.number = stageAsked_.number + 1;

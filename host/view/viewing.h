@@ -90,6 +90,7 @@ class Viewing {
     void lookFrom(const Camera& camera, const std::string& renderOptions);
     void resetCamera(const ViewOverrides& overrides);
     Ray rayAt(const glm::dvec2& at) const;
+    std::vector<PassedLeaf> leavesUnderCursor(const Staged& staged) const;
     void pickAt(const glm::dvec2& at);
 };
 
