@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <random>
 
@@ -72,11 +73,16 @@ class NeedsOfPrograms : public testing::Test {
     TemporaryFolder folder_;
     std::string at(const std::string& name) const { return (folder_ / name).string(); }
 
-    // What a picture of the scene does without.
+    // What a picture of the scene does without; rendered once for all who ask.
     Json leftOut(const std::string& scene, const std::vector<std::string>& more = {}) {
         std::vector<std::string> arguments{"render", scene,       "--size", "16x9",
                                            "-o",     at("l.png"), "--json", at("l.json")};
         arguments.insert(arguments.end(), more.begin(), more.end());
+        Json& known = leftOut_[arguments];
+        if (known.is_null()) known = rendered(arguments);
+        return known;
+    }
+    Json rendered(const std::vector<std::string>& arguments) {
         const Outcome outcome = runCleave(arguments);
         EXPECT_EQ(outcome.status, 0) << outcome.err;
         Json report = Json::parse(contentOf(folder_ / "l.json"));
@@ -95,6 +101,9 @@ class NeedsOfPrograms : public testing::Test {
         EXPECT_EQ(contentOf(folder_ / file), without) << arguments[1];
         EXPECT_FALSE(without.empty());
     }
+
+  private:
+    std::map<std::vector<std::string>, Json> leftOut_;
 };
 
 // A scene, and how it is shown, that has no use for a part; and one that has.
@@ -143,7 +152,7 @@ TEST_F(NeedsOfPrograms, EachPartIsLeftOutWhereItIsNotNeeded) {
     EXPECT_EQ(leftOut(triangle)["zAxis"], "the scene is flat");
 }
 
-// Of the scenes that show one feature each, every other one as paths; with CLEAVE_LONG of all scenes, both ways.
+// Of every other scene that shows a feature, paths and the shaded view in turns; with CLEAVE_LONG of all scenes, both.
 TEST_F(NeedsOfPrograms, PicturesAreTheSameWithEverythingKept) {
     const bool isLong = std::getenv("CLEAVE_LONG") != nullptr;
     const std::vector<fs::path> folders =
@@ -156,7 +165,7 @@ TEST_F(NeedsOfPrograms, PicturesAreTheSameWithEverythingKept) {
     std::ranges::sort(scenes);
     for (size_t i = 0; i < scenes.size(); ++i)
         for (const char* view : {"shaded", "path"}) {
-            if (!isLong && (i % 2 == 0) != (std::string(view) == "path")) continue;
+            if (!isLong && (i % 2 != 0 || (i % 4 == 0) != (std::string(view) == "path"))) continue;
             SCOPED_TRACE(view);
             expectTheSame(
                 {"render", scenes[i].string(), "--view", view, "--size", "48x27", "--spp", "2", "-o", at("p.exr")},
