@@ -322,9 +322,10 @@ class Measurement {
             WayErrors way{nameOf(traversal), nameOf(test), {}};
             begin(way.traversal + ", " + way.test);
             for (size_t k = 0; k < sets_.size(); ++k)
-                way.sets[k] = once(std::string(kRaySets[k]) + " rays by " + way.traversal + ", " + way.test, [&] {
-                    return measured(throughTree(), k, {setOf(k).query, traversal, test, false}, judged);
-                });
+                way.sets[k] = once(std::string(kRaySets[k]) + " rays by " + way.traversal + ", " + way.test,
+                                   [&, mode = TraceMode{setOf(k).query, traversal, test, false}] {
+                                       return measured(throughTree(), k, mode, judged);
+                                   });
             errors_.ways.push_back(way);
         }
         if (runsOfTurn(false) == 0) return;

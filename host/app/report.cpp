@@ -11,8 +11,10 @@ Json sceneJson(const Session& session) {
     for (const auto& [what, count] : session.posed().leftOut) leftOut[what] = count;
     leftOut["nonFinite"] = session.set().nonFinite;
     leftOut["noArea"] = session.set().noArea;
-    for (const auto& [need, reason] : session.needs().leftOut())
-        std::visit([&](const auto& told) { leftOut[keyOf(need)] = told; }, reason);
+    for (const auto& [need, reason] : session.needs().leftOut()) {
+        Json& told = leftOut[keyOf(need)];
+        std::visit([&told](const auto& value) { told = value; }, reason);
+    }
     return {{"name", session.scene().name},
             {"triangles", session.posed().triangles.size()},
             {"leftOut", leftOut},

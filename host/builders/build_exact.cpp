@@ -1,5 +1,3 @@
-#include <tbb/parallel_invoke.h>
-
 #include "builders/builders.h"
 #include "builders/event_node.h"
 #include "builders/exact_chooser.h"
@@ -60,8 +58,8 @@ class ExactPart {
 
     void buildAtOnce(uint32_t child, Children children) {
         ExactPart right(build_, settings_);
-        tbb::parallel_invoke([&] { buildNode(child, std::move(children.left)); },
-                             [&] { right.buildNode(0, std::move(children.right)); });
+        bothAtOnce([&] { buildNode(child, std::move(children.left)); },
+                   [&] { right.buildNode(0, std::move(children.right)); });
         graft(tree_, child + 1, right.tree_);
         report_.eventsSwept += right.report_.eventsSwept;
         report_.sortSteps += right.report_.sortSteps;

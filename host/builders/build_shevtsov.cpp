@@ -1,5 +1,3 @@
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 
 #include "builders/binning.h"
@@ -67,7 +65,7 @@ KdTree buildShevtsov(const TriangleSet& set, const BuildSettings& settings, Buil
                               .build(std::move(begun), i == 0 ? part.node : 0, part.cell, part.depth,
                                      std::move(part.refs), part.count, capacity);
         };
-        tbb::parallel_for(size_t{0}, parts.size(), buildPart, tbb::simple_partitioner());
+        forEachAtOnce(parts.size(), buildPart);
         tree = std::move(subtrees[0]);
         for (size_t i = 1; i < parts.size(); ++i) {
             partBytes += growthBytes(subtrees[i]);

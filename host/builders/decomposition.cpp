@@ -1,11 +1,10 @@
 #include "builders/decomposition.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 
 #include "builders/binning.h"
 #include "builders/graft.h"
+#include "builders/threads.h"
 
 namespace cleave {
 namespace {
@@ -41,7 +40,7 @@ class Decomposition {
     void forEachSlice(size_t count, const Body& body) const {
         const auto slice = [&](size_t i) { body(i, count * i / threads_, count * (i + 1) / threads_); };
         if (threads_ == 1) return slice(0);
-        tbb::parallel_for(size_t{0}, size_t{threads_}, slice, tbb::simple_partitioner());
+        forEachAtOnce(threads_, slice);
     }
 
     void cut(Part part, uint32_t owners) {

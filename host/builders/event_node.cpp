@@ -1,8 +1,7 @@
 #include "builders/event_node.h"
 
-#include <tbb/parallel_for.h>
-
 #include "base/error.h"
+#include "builders/threads.h"
 
 namespace cleave {
 namespace {
@@ -122,7 +121,7 @@ uint64_t sortStepsOfParts(const Side& side) { return 3 * sortSteps(2 * size_t{si
 
 void forEachAxis(const EventBuild& build, uint32_t count, const std::function<void(int)>& body) {
     if (build.parallel && count >= kShareAxesFrom)
-        tbb::parallel_for(0, 3, body);
+        forEachAtOnce(3, [&](size_t axis) { body(static_cast<int>(axis)); });
     else
         for (int axis = 0; axis < 3; ++axis) body(axis);
 }

@@ -7,8 +7,8 @@
 #include "shared/sah.h"
 
 // One text, compiled for AVX2 and for any machine; the program picks at its start. Both give the same bits, since every
-// operation is rounded by itself.
-#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__)
+// operation is rounded by itself. (The thread sanitizer is not up yet when the program picks.)
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
 #define CLEAVE_CLONES __attribute__((target_clones("avx2", "default")))
 #else
 #define CLEAVE_CLONES
@@ -66,7 +66,7 @@ struct AxisCost {
         const Floats both =
             leftArea * __builtin_convertvector(left, Floats) + rightArea * __builtin_convertvector(right, Floats);
         const Floats cost = start + intersect * both + leaf * (leftArea + rightArea);
-        return (left == 0) | (right == 0) ? emptyBonus * cost : cost;
+        return ((left == 0) | (right == 0)) ? emptyBonus * cost : cost;
     }
 
     CLEAVE_INLINE Ints isInside(Floats position) const { return (lo < position) & (position < hi); }

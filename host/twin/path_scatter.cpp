@@ -67,8 +67,8 @@ void pathScatter(PictureArrays& a, PassNumbers numbers) {
         std::vector<PathAfter> paths;
         for (uint32_t i = begin; i < std::min(begin + kGroup, count); i++) paths.push_back(afterStep(a, i, numbers));
         std::vector<PathAfter> lit = paths;
-        std::ranges::stable_partition(paths, [](const PathAfter& p) { return !isNoRay(p.step.next); });
-        std::ranges::stable_partition(lit, [](const PathAfter& p) { return !isNoRay(p.step.shadow); });
+        std::stable_partition(paths.begin(), paths.end(), [](const PathAfter& p) { return !isNoRay(p.step.next); });
+        std::stable_partition(lit.begin(), lit.end(), [](const PathAfter& p) { return !isNoRay(p.step.shadow); });
         for (uint32_t k = 0; k < paths.size(); k++) {
             a.rays[begin + k] = paths[k].step.next;
             a.paths[begin + k] = paths[k].path;
