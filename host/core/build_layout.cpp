@@ -54,7 +54,8 @@ BuildCounts countsOf(const BuildInfo& info) noexcept {
     n.leafRefs = c.leafRefs;
     n.chunks = chunkCapacity(c.refs, info.exactUpTo);
     n.refBlocks = ceilDiv64(c.refs, kBlock);
-    n.workers = workersFor(static_cast<uint32_t>(n.refBlocks));
+    n.batches = ceilDiv64(c.refs, kBatch);
+    n.workers = workersFor(static_cast<uint32_t>(n.batches));
     n.nodeBlocks = ceilDiv64(c.levelNodes, kBlock);
     n.triangles = triangleCountOf(info);
     n.geometries = info.geometryCount;

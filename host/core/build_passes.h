@@ -35,7 +35,7 @@ namespace cleave {
     ROW(next_level, nextLevel, once, own, 0, all)                  \
     ROW(emit_nodes, emitNodes, perNodeBlock, wide, 0, all)         \
     ROW(partition, partition, perRefGroup, own, 0, all)            \
-    ROW(graft, graft, perRefBlock, wide, 0, all)
+    ROW(graft, graft, perBatch, wide, 0, all)
 
 // Run once, at the end.
 #define CLEAVE_LAST_PASSES(ROW) ROW(finish_tree, finishTree, once, own, 0, all)

@@ -74,4 +74,7 @@ void main() {
     if (gl_LocalInvocationID.x != 0u) return;
     args.blockSums.at[block].x = leftCount;
     args.blockSums.at[block].y = rightCount;
+    if (block < ceilDiv(thisLevel.subtreeRefCount, kBatch)) return;
+    args.blockSums.at[block].z = 0u;
+    args.blockSums.at[block].w = 0u;
 }

@@ -30,9 +30,9 @@ void main() {
         args.state.at.nodesUsed = nodes;
         args.state.at.leafRefsUsed += totals.y + ofSubtrees.y;
         bool last = push.depth + 1u >= args.state.at.maxDepth;  // its nodes are leaves: there is nothing to choose
-        args.state.at.level[push.depth + 1u] = levelOf(refs, levelNodes, last ? 0u : totals.z, args.row);
+        args.state.at.level[push.depth + 1u] = levelOf(refs, levelNodes, last ? 0u : totals.z, last ? 0u : totals.w, args.row);
     } else {
         args.state.at.leafRefsUsed += thisLevel.refCount;
-        args.state.at.level[push.depth + 1u] = levelOf(0u, 0u, 0u, args.row);
+        args.state.at.level[push.depth + 1u] = levelOf(0u, 0u, 0u, 0u, args.row);
     }
 }

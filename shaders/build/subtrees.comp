@@ -1,6 +1,6 @@
 #version 460
-// Builds small nodes to their leaves (Zhou et al. 2008, their small nodes). A workgroup takes block after block of
-// references and builds the nodes that begin in it, level by level, an invocation per node. References stay where they
+// Builds small nodes to their leaves (Zhou et al. 2008, their small nodes). A workgroup takes batch after batch of them
+// and builds it level by level, an invocation per node. References stay where they
 // are and levels list them; what is clipped becomes new references, made by all invocations together.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
@@ -30,141 +30,148 @@ void sortIn(uint k, uint count) {
     uint at = atomicAdd(sizeCounts[size], 1u);
     args.workOrder.at[4u * splitBase + size * kWorkNodes + at] = k;
 }
-uint sorted(uint k) {
-    uint size = 0u;
-    for (; size < 3u && k >= sizeCounts[size]; size++) k -= sizeCounts[size];
-    return args.workOrder.at[4u * splitBase + size * kWorkNodes + k];
-}
-
 PrimRef refAt(uint k) { return workRefs.at[refBase + lists.at[listBase + k]]; }
 
-// The cheaper one, as betterOf(), but without branches; axes come in order.
-Split cheaper(Split best, Box cell, uint axis, float position, uint left, uint right, uint planarLeft, bool counts) {
-    float cost = splitCost(costs, cell, axis, position, left, right);
-    bool isInside = counts && cell.lo[axis] < position && position < cell.hi[axis];
-    bool wins = cost < best.cost || (cost == best.cost && axis == best.axis && position < best.position);
+// The order of floats, with -0 and +0 the same.
+int orderOf(float x) {
+    int bits = floatBitsToInt(x);
+    return bits < 0 ? int(0x80000000u) - bits : bits;
+}
+
+// The cheaper one of planes on an axis, as betterOf(), but without branches. Those with planar references left come
+// first, so that they win where nothing else decides. `counts`: of sideCounts().
+Split cheaper(Split best, Box cell, uint axis, float position, uint counts, bool planarLeft) {
+    float cost = splitCost(costs, cell, axis, position, counts & 0xFFFFu, counts >> 16);
+    bool isInside = cell.lo[axis] < position && position < cell.hi[axis];
+    bool wins = cost < best.cost || (cost == best.cost && position < best.position);
     if (isInside && wins) {
         best.cost = cost;
         best.axis = axis;
         best.position = position;
-        best.planarLeft = planarLeft;
+        best.planarLeft = planarLeft ? 1u : 0u;
     }
     return best;
 }
 
-// How many boxes begin before four faces, end after them and lie in them.
-struct FaceCounts {
-    uvec4 left;
-    uvec4 right;
-    uvec4 planar;
-};
-
-FaceCounts noCounts() {
-    FaceCounts c;
-    c.left = uvec4(0u);
-    c.right = uvec4(0u);
-    c.planar = uvec4(0u);
-    return c;
-}
-
-FaceCounts with(FaceCounts c, vec4 faces, float lo, float hi) {
-    c.left += uvec4(lessThan(vec4(lo), faces));
-    c.right += uvec4(greaterThan(vec4(hi), faces));
-    c.planar += uvec4(equal(vec4(lo == hi ? lo : infinity()), faces));
-    return c;
-}
-
-Split withFaces(Split best, Box cell, uint axis, vec4 faces, FaceCounts c) {
-    [[unroll]] for (uint u = 0u; u < 4u; u++) {
-        best = cheaper(best, cell, axis, faces[u], c.left[u] + c.planar[u], c.right[u], 1u, true);
-    }
-    if (any(notEqual(c.planar, uvec4(0u)))) {
-        [[unroll]] for (uint u = 0u; u < 4u; u++) {
-            best = cheaper(best, cell, axis, faces[u], c.left[u], c.right[u] + c.planar[u], 0u, c.planar[u] > 0u);
-        }
-    }
-    return best;
-}
+#define HELD 4
+#include "lib/small_nodes.glsl"
+#undef HELD
+#define HELD 8
+#include "lib/small_nodes.glsl"
 
 uint refOf(WorkNode node, uint i) { return refBase + lists.at[listBase + node.first + min(i, node.count - 1u)]; }
 
-// Of at most four references: their boxes are loaded once.
-Split bestOfFew(WorkNode node) {
-    Split best = noSplit();
-    uvec4 refs;
+Split bestOfFour(WorkNode node) {
+    uint refs[4];
     [[unroll]] for (uint u = 0u; u < 4u; u++) refs[u] = refOf(node, u);
-    for (uint axis = 0u; axis < 3u; axis++) {
-        vec4 lo;
-        vec4 hi;
-        [[unroll]] for (uint u = 0u; u < 4u; u++) {
-            lo[u] = workRefs.at[refs[u]].lo[axis];
-            hi[u] = workRefs.at[refs[u]].hi[axis];
-        }
-        FaceCounts ofLo = noCounts();
-        FaceCounts ofHi = noCounts();
-        [[unroll]] for (uint u = 0u; u < 4u; u++) {
-            // What is not there begins nowhere and ends nowhere.
-            bool isThere = u < node.count;
-            float otherLo = isThere ? lo[u] : infinity();
-            float otherHi = isThere ? hi[u] : -infinity();
-            ofLo = with(ofLo, lo, otherLo, otherHi);
-            ofHi = with(ofHi, hi, otherLo, otherHi);
-        }
-        best = withFaces(best, node.cell, axis, lo, ofLo);
-        best = withFaces(best, node.cell, axis, hi, ofHi);
-    }
+    return bestFace(node, refs);
+}
+
+Split bestOfEight(WorkNode node) {
+    uint refs[8];
+    [[unroll]] for (uint u = 0u; u < 8u; u++) refs[u] = refOf(node, u);
+    return bestFace(node, refs);
+}
+
+// Of any number: the faces of eight at once, by eight others at once.
+Split bestOfMany(WorkNode node) {
+    Split best = noSplit();
+    uint axis = 0u;
+    do {
+        Split ofAxis = noSplit();
+        bool planarLeft = true;
+        bool again;
+        do {
+            again = false;
+            uint from = 0u;
+            do {
+                uint refs[8];
+                float lo[8];
+                float hi[8];
+                uint ofLo[8];
+                uint ofHi[8];
+                [[unroll]] for (uint u = 0u; u < 8u; u++) {
+                    refs[u] = refOf(node, from + u);
+                    ofLo[u] = 0u;
+                    ofHi[u] = 0u;
+                }
+                hold(node, refs, from, axis, lo, hi);
+                again = again || anyFlat(lo, hi);
+                uint others = 0u;
+                do {
+                    float otherLo[8];
+                    float otherHi[8];
+                    int begins[8];
+                    int ends[8];
+                    [[unroll]] for (uint u = 0u; u < 8u; u++) refs[u] = refOf(node, others + u);
+                    hold(node, refs, others, axis, otherLo, otherHi);
+                    orderSides(otherLo, otherHi, planarLeft, begins, ends);
+                    [[unroll]] for (uint u = 0u; u < 8u; u++) {
+                        ofLo[u] += sideCounts(begins, ends, lo[u]);
+                        ofHi[u] += sideCounts(begins, ends, hi[u]);
+                    }
+                    others += 8u;
+                } while (others < node.count);
+                [[unroll]] for (uint u = 0u; u < 8u; u++) {
+                    ofAxis = cheaper(ofAxis, node.cell, axis, lo[u], ofLo[u], planarLeft);
+                    ofAxis = cheaper(ofAxis, node.cell, axis, hi[u], ofHi[u], planarLeft);
+                }
+                from += 8u;
+            } while (from < node.count);
+            again = again && planarLeft;
+            planarLeft = false;
+        } while (again);
+        if (ofAxis.cost < best.cost) best = ofAxis;
+        axis++;
+    } while (axis < 3u);
     return best;
 }
 
-// Of any number: eight at once are compared with all.
-Split bestOfMany(WorkNode node) {
-    Split best = noSplit();
-    for (uint axis = 0u; axis < 3u; axis++) {
-        for (uint from = 0u; from < node.count; from += 8u) {
-            vec4 lo[2];
-            vec4 hi[2];
-            FaceCounts ofLo[2];
-            FaceCounts ofHi[2];
-            [[unroll]] for (uint h = 0u; h < 2u; h++) {
-                [[unroll]] for (uint u = 0u; u < 4u; u++) {
-                    uint r = refOf(node, from + 4u * h + u);
-                    lo[h][u] = workRefs.at[r].lo[axis];
-                    hi[h][u] = workRefs.at[r].hi[axis];
-                }
-                ofLo[h] = noCounts();
-                ofHi[h] = noCounts();
-            }
-            for (uint k = 0u; k < node.count; k++) {
-                uint r = refBase + lists.at[listBase + node.first + k];
-                float otherLo = workRefs.at[r].lo[axis];
-                float otherHi = workRefs.at[r].hi[axis];
-                [[unroll]] for (uint h = 0u; h < 2u; h++) {
-                    ofLo[h] = with(ofLo[h], lo[h], otherLo, otherHi);
-                    ofHi[h] = with(ofHi[h], hi[h], otherLo, otherHi);
-                }
-            }
-            [[unroll]] for (uint h = 0u; h < 2u; h++) {
-                best = withFaces(best, node.cell, axis, lo[h], ofLo[h]);
-                best = withFaces(best, node.cell, axis, hi[h], ofHi[h]);
-            }
-        }
+// Notes how a node is split, if that is worth it.
+void choose(uint k, WorkNode node, Split best, uint depth) {
+    WorkSplit w;
+    w.axis = isWorthwhile(costs, best, node.cell, node.count, depth, args.state.at.maxDepth) ? best.axis : kLeafAxis;
+    w.position = best.position;
+    w.left = best.planarLeft;
+    args.workSplits.at[splitBase + k] = w;
+}
+
+// Nodes of like size at the same time. A loop runs at least once on CPU devices, and so does what is in a branch.
+void chooseSplits(uint depth, uint four, uint eight, uint sixteen, uint more) {
+    uint i = gl_LocalInvocationID.x;
+    for (uint k = i; k < four; k += gl_WorkGroupSize.x) {
+        uint n = args.workOrder.at[4u * splitBase + k];
+        WorkNode node = args.workNodes.at[nodeBase + n];
+        choose(n, node, bestOfFour(node), depth);
     }
-    return best;
+    for (uint k = i; k < eight; k += gl_WorkGroupSize.x) {
+        uint n = args.workOrder.at[4u * splitBase + kWorkNodes + k];
+        WorkNode node = args.workNodes.at[nodeBase + n];
+        choose(n, node, bestOfEight(node), depth);
+    }
+    for (uint k = i; k < sixteen + more; k += gl_WorkGroupSize.x) {
+        uint n = args.workOrder.at[4u * splitBase + (k < sixteen ? 2u * kWorkNodes + k : 3u * kWorkNodes + k - sixteen)];
+        WorkNode node = args.workNodes.at[nodeBase + n];
+        choose(n, node, bestOfMany(node), depth);
+    }
 }
 
 // Which references go where; those that straddle the plane are to be cut.
-WorkSplit divided(WorkNode node, Split s, uint k) {
-    WorkSplit w;
-    w.axis = s.axis;
-    w.position = s.position;
+void divide(uint k) {
+    WorkSplit w = args.workSplits.at[splitBase + k];
+    if (w.axis == kLeafAxis) return;
+    WorkNode node = args.workNodes.at[nodeBase + k];
+    uint planarLeft = w.left;
     w.left = 0u;
     w.right = 0u;
-    for (uint i = 0u; i < node.count; i++) {
+    uint i = 0u;
+    do {
         uint r = refBase + lists.at[listBase + node.first + i];
-        uint side = sideOf(workRefs.at[r].lo[s.axis], workRefs.at[r].hi[s.axis], s.position, s.planarLeft);
+        uint side = sideOf(workRefs.at[r].lo[w.axis], workRefs.at[r].hi[w.axis], w.position, planarLeft);
         w.left |= (side & kLeft) << i;
         w.right |= (side >> 1) << i;
-    }
+        i++;
+    } while (i < node.count);
     w.both = w.left & w.right;
     w.cut = atomicAdd(cutCount, bitCount(w.both));
     uint next = w.cut;
@@ -176,19 +183,6 @@ WorkSplit divided(WorkNode node, Split s, uint k) {
         args.workCuts.at[cutBase + next] = c;
         next++;
     }
-    return w;
-}
-
-void splitNode(uint k, uint depth) {
-    WorkNode node = args.workNodes.at[nodeBase + k];
-    Split best = noSplit();
-    if (node.count <= 4u) best = bestOfFew(node);
-    if (node.count > 4u) best = bestOfMany(node);
-    WorkSplit w;
-    w.axis = kLeafAxis;
-    w.left = 0u;
-    w.right = 0u;
-    if (isWorthwhile(costs, best, node.cell, node.count, depth, args.state.at.maxDepth)) w = divided(node, best, k);
     args.workSplits.at[splitBase + k] = w;
 }
 
@@ -228,9 +222,9 @@ uvec4 additions(uint k) {
 }
 
 // A child: a node of the next level, or an empty leaf.
-void putChild(uint block, Box cell, uint first, uint count, uint number, uint next, uint leafRef) {
+void putChild(uint batch, Box cell, uint first, uint count, uint number, uint next, uint leafRef) {
     if (count == 0u) {
-        args.stagedNodes.at[block * kStagedNodes + number] = leafNode(leafRef, 0u);
+        args.stagedNodes.at[batch * kStagedNodes + number] = leafNode(leafRef, 0u);
         return;
     }
     WorkNode n;
@@ -244,19 +238,19 @@ void putChild(uint block, Box cell, uint first, uint count, uint number, uint ne
 
 // Stages a node, and hands its references on. `before`: what the nodes before it add. `at`: where the parts of cut
 // references are.
-void putNode(Subtrees s, uint block, uint k, uvec4 before, uint at) {
+void putNode(Subtrees s, uint batch, uint k, uvec4 before, uint at) {
     WorkNode node = args.workNodes.at[nodeBase + k];
     WorkSplit w = args.workSplits.at[splitBase + k];
     uint leafRef = s.leafRefs + before.z;
     if (w.axis == kLeafAxis) {
-        args.stagedNodes.at[block * kStagedNodes + node.staged] = leafNode(leafRef, node.count);
+        args.stagedNodes.at[batch * kStagedNodes + node.staged] = leafNode(leafRef, node.count);
         for (uint i = 0u; i < node.count; i++) {
-            args.stagedRefs.at[block * kStagedRefs + leafRef + i] = refAt(node.first + i).prim;
+            args.stagedRefs.at[batch * kStagedRefs + leafRef + i] = refAt(node.first + i).prim;
         }
         return;
     }
     uint child = s.nodes + 2u * before.x;
-    args.stagedNodes.at[block * kStagedNodes + node.staged] = innerNode(w.axis, w.position, child);
+    args.stagedNodes.at[batch * kStagedNodes + node.staged] = innerNode(w.axis, w.position, child);
     uint leftCount = bitCount(w.left);
     uint rightCount = bitCount(w.right);
     uint toLeft = (listBase ^ kWorkList) + before.y;
@@ -280,8 +274,8 @@ void putNode(Subtrees s, uint block, uint k, uvec4 before, uint at) {
             toRight++;
         }
     }
-    putChild(block, leftOf(node.cell, w.axis, w.position), before.y, leftCount, child, before.w, leafRef);
-    putChild(block, rightOf(node.cell, w.axis, w.position), before.y + leftCount, rightCount, child + 1u,
+    putChild(batch, leftOf(node.cell, w.axis, w.position), before.y, leftCount, child, before.w, leafRef);
+    putChild(batch, rightOf(node.cell, w.axis, w.position), before.y + leftCount, rightCount, child + 1u,
              before.w + min(leftCount, 1u), leafRef);
 }
 
@@ -327,7 +321,7 @@ uvec4 takeRoots(uint first, uint end) {
 }
 
 // Builds the subtrees of the roots; what became of them. Without nodes if they outgrow the workgroup.
-Subtrees grown(uint block, uvec4 roots) {
+Subtrees grown(uint batch, uvec4 roots) {
     Subtrees s;
     s.roots = roots.x;
     s.nodes = roots.x;
@@ -338,7 +332,9 @@ Subtrees grown(uint block, uvec4 roots) {
     for (uint count = roots.x; count > 0u;) {
         if (i == 0u) cutCount = 0u;
         meetInMemory();
-        for (uint k = i; k < count; k += gl_WorkGroupSize.x) splitNode(sorted(k), push.depth + s.levels);
+        chooseSplits(push.depth + s.levels, sizeCounts[0], sizeCounts[1], sizeCounts[2], sizeCounts[3]);
+        meetInMemory();
+        for (uint k = i; k < count; k += gl_WorkGroupSize.x) divide(k);
         meetInMemory();
         uint cuts = cutCount;
         bool fits = cuts <= kWorkCuts && refs + 2u * cuts <= kWorkRefs;
@@ -356,7 +352,7 @@ Subtrees grown(uint block, uvec4 roots) {
             break;
         }
         for (uint k = from; k < to; k++) {
-            putNode(s, block, k, sum, refs);
+            putNode(s, batch, k, sum, refs);
             sum += additions(k);
         }
         s.nodes += 2u * all.x;
@@ -371,20 +367,18 @@ Subtrees grown(uint block, uvec4 roots) {
     return s;
 }
 
-void buildBlock(uint block) {
+void buildBatch(uint batch) {
     BuildNodeArray level = nodesIn();
     uint i = gl_LocalInvocationID.x;
-    uint end = min((block + 1u) * kBlock, thisLevel.refCount);
-    uint first = refsIn().at[block * kBlock].node;
-    if (level.at[first].first < block * kBlock) first++;
-    uint last = refsIn().at[end - 1u].node;
+    bool isLast = batch + 1u == ceilDiv(thisLevel.subtreeRefCount, kBatch);
+    uint first = args.batchFirsts.at[batch];
+    uint end = isLast ? thisLevel.nodeCount : args.batchFirsts.at[batch + 1u];
     if (i < 4u) sizeCounts[i] = 0u;
-    uvec4 roots = takeRoots(first, last + 1u);
+    uvec4 roots = takeRoots(first, end);
     meetInMemory();
-    if (push.depth >= args.state.at.maxDepth) roots.x = 0u;
-    Subtrees s = grown(block, roots);
+    Subtrees s = grown(batch, roots);
     s.firstNode = first;
-    s.endNode = last + 1u;
+    s.endNode = end;
     bool built = s.nodes > 0u;
     if (!built) {
         s.firstNode = 0u;
@@ -394,12 +388,12 @@ void buildBlock(uint block) {
         s.levels = 0u;
     }
     if (i == 0u) {
-        args.subtrees.at[block] = s;
-        args.blockSums.at[block] = uvec4(0u, 0u, s.nodes - s.roots, s.leafRefs);
+        args.subtrees.at[batch] = s;
+        args.blockSums.at[batch] = uvec4(0u, 0u, s.nodes - s.roots, s.leafRefs);
     }
     uint run = ceilDiv(s.endNode - s.firstNode, gl_WorkGroupSize.x);
     uint from = first + i * run;
-    uint to = built ? min(from + run, last + 1u) : from;
+    uint to = built ? min(from + run, end) : from;
     uvec4 sum = uvec4(0u);
     for (uint n = from; n < to; n++) sum.x += isSubtree(level.at[n].count, args.exactUpTo) ? 1u : 0u;
     total(sum);
@@ -412,8 +406,8 @@ void buildBlock(uint block) {
 }
 
 void main() {
-    uint blocks = ceilDiv(thisLevel.refCount, kBlock);
-    uint workers = workersFor(blocks);
+    uint batches = ceilDiv(thisLevel.subtreeRefCount, kBatch);
+    uint workers = workersFor(batches);
     uint worker = groupIndex();
     if (worker >= workers) return;
     workRefs = args.workRefs;
@@ -424,8 +418,8 @@ void main() {
     listBase = worker * 2u * kWorkList;
     nodeBase = worker * 2u * kWorkNodes;
     splitBase = worker * kWorkNodes;
-    for (uint block = worker; block < blocks; block += workers) {
-        buildBlock(block);
+    for (uint batch = worker; batch < batches; batch += workers) {
+        buildBatch(batch);
         meetInMemory();
     }
 }
