@@ -6,7 +6,7 @@
 #extension GL_EXT_control_flow_attributes : require
 #include "lib/build.glsl"
 #include "lib/group_sum.glsl"
-#include "shared/clip.h"
+#include "lib/clip.glsl"
 
 layout(local_size_x_id = 0) in;
 
@@ -32,98 +32,20 @@ void sortIn(uint k, uint count) {
 }
 PrimRef refAt(uint k) { return workRefs.at[refBase + lists.at[listBase + k]]; }
 
-// The order of floats, with -0 and +0 the same.
-int orderOf(float x) {
-    int bits = floatBitsToInt(x);
-    return bits < 0 ? int(0x80000000u) - bits : bits;
-}
-
-// The cheaper one of planes on an axis, as betterOf(), but without branches. Those with planar references left come
-// first, so that they win where nothing else decides. `counts`: of sideCounts().
-Split cheaper(Split best, Box cell, uint axis, float position, uint counts, bool planarLeft) {
-    float cost = splitCost(costs, cell, axis, position, counts & 0xFFFFu, counts >> 16);
-    bool isInside = cell.lo[axis] < position && position < cell.hi[axis];
-    bool wins = cost < best.cost || (cost == best.cost && position < best.position);
-    if (isInside && wins) {
-        best.cost = cost;
-        best.axis = axis;
-        best.position = position;
-        best.planarLeft = planarLeft ? 1u : 0u;
-    }
-    return best;
-}
-
-#define HELD 4
-#include "lib/small_nodes.glsl"
-#undef HELD
-#define HELD 8
-#include "lib/small_nodes.glsl"
-
 uint refOf(WorkNode node, uint i) { return refBase + lists.at[listBase + node.first + min(i, node.count - 1u)]; }
 
-Split bestOfFour(WorkNode node) {
-    uint refs[4];
-    [[unroll]] for (uint u = 0u; u < 4u; u++) refs[u] = refOf(node, u);
-    return bestFace(node, refs);
-}
+#define NODE WorkNode
+#define BOXES workRefs
+#include "lib/best_face.glsl"
 
-Split bestOfEight(WorkNode node) {
-    uint refs[8];
-    [[unroll]] for (uint u = 0u; u < 8u; u++) refs[u] = refOf(node, u);
-    return bestFace(node, refs);
-}
-
-// Of any number: the faces of eight at once, by eight others at once.
 Split bestOfMany(WorkNode node) {
     Split best = noSplit();
-    uint axis = 0u;
+    uint from = 0u;
     do {
-        Split ofAxis = noSplit();
-        bool planarLeft = true;
-        bool again;
-        do {
-            again = false;
-            uint from = 0u;
-            do {
-                uint refs[8];
-                float lo[8];
-                float hi[8];
-                uint ofLo[8];
-                uint ofHi[8];
-                [[unroll]] for (uint u = 0u; u < 8u; u++) {
-                    refs[u] = refOf(node, from + u);
-                    ofLo[u] = 0u;
-                    ofHi[u] = 0u;
-                }
-                hold(node, refs, from, axis, lo, hi);
-                again = again || anyFlat(lo, hi);
-                uint others = 0u;
-                do {
-                    float otherLo[8];
-                    float otherHi[8];
-                    int begins[8];
-                    int ends[8];
-                    [[unroll]] for (uint u = 0u; u < 8u; u++) refs[u] = refOf(node, others + u);
-                    hold(node, refs, others, axis, otherLo, otherHi);
-                    orderSides(otherLo, otherHi, planarLeft, begins, ends);
-                    [[unroll]] for (uint u = 0u; u < 8u; u++) {
-                        ofLo[u] += sideCounts(begins, ends, lo[u]);
-                        ofHi[u] += sideCounts(begins, ends, hi[u]);
-                    }
-                    others += 8u;
-                } while (others < node.count);
-                [[unroll]] for (uint u = 0u; u < 8u; u++) {
-                    ofAxis = cheaper(ofAxis, node.cell, axis, lo[u], ofLo[u], planarLeft);
-                    ofAxis = cheaper(ofAxis, node.cell, axis, hi[u], ofHi[u], planarLeft);
-                }
-                from += 8u;
-            } while (from < node.count);
-            again = again && planarLeft;
-            planarLeft = false;
-        } while (again);
-        if (ofAxis.cost < best.cost) best = ofAxis;
-        axis++;
-    } while (axis < 3u);
+        Split s = bestOfRun(node, from);
+        if (isBetter(s, best)) best = s;
+        from += 8u;
+    } while (from < node.count);
     return best;
 }
 
@@ -197,7 +119,7 @@ void cut(uint c, uint at) {
     box.hi = r.hi;
     SplitBoxes parts;
     if (args.clip != 0u) {
-        parts = splitBoxes(withoutNumber(args.triangles.at[r.prim]), box, axis, position);
+        parts = partsOf(withoutNumber(args.triangles.at[r.prim]), box, axis, position);
     } else {
         parts.left = leftOf(box, axis, position);
         parts.right = rightOf(box, axis, position);
