@@ -121,6 +121,7 @@ BuildArgs buildArgs(const BuildInfo& info, VkDeviceAddress tree, const Range* sc
     a.snap = info.snap ? 1 : 0;
     a.row = row;
     a.everything = info.everything ? 1 : 0;
+    a.workers = static_cast<uint32_t>(n.workers);
     a.costs = {info.costTraverse, info.costIntersect, info.costLeaf, info.emptyBonus};
     a.invBinCount = 1.0f / static_cast<float>(info.bins);
     return a;

@@ -14,5 +14,5 @@ void main() {
     args.state.at.nodesUsed = 1u;
     args.state.at.maxDepth = depthLimit(args.maxDepth, n);
     args.batchFirsts.at[0] = 0u;
-    args.state.at.level[0] = levelOf(n, 1u, chunks, subtreeRefsOf(n, args.exactUpTo), args.row);
+    args.state.at.level[0] = levelOf(n, 1u, chunks, subtreeRefsOf(n, args.exactUpTo), args.workers, args.row);
 }

@@ -1,7 +1,7 @@
 #version 460
 // Builds small nodes to their leaves (Zhou et al. 2008, their small nodes). A workgroup takes batch after batch of them
-// and builds it level by level, an invocation per node. References stay where they
-// are and levels list them; what is clipped becomes new references, made by all invocations together.
+// and builds it level by level, an invocation per node. References stay where they are and levels list them; what is
+// clipped becomes new references, made by all invocations together.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
 #include "lib/build.glsl"
@@ -11,24 +11,32 @@
 layout(local_size_x_id = 0) in;
 
 shared uint cutCount;
-shared uint sizeCounts[4];
+shared uint sizeCounts[3];  // nodes of up to four references, of up to eight, and runs of eight in larger ones
 shared uvec4 groupTotal;
 
 // The workgroup's part of the arrays: where its references begin, and its level's list and nodes.
 PrimRefArray workRefs;
 UintArray lists;
+UintArray workOrder;
+WorkNodeArray workNodes;
+WorkSplitArray workSplits;
 SahCosts costs;
 uint refBase;
 uint cutBase;
 uint listBase;
 uint nodeBase;
 uint splitBase;
+uint orderBase;
 
-// Nodes of like size are split at the same time, so that invocations do not wait for each other.
+// Nodes of like size are split at the same time, so that invocations do not wait for each other; in a large one each
+// looks at a run of eight references.
 void sortIn(uint k, uint count) {
-    uint size = uint(count > 4u) + uint(count > 8u) + uint(count > 16u);
-    uint at = atomicAdd(sizeCounts[size], 1u);
-    args.workOrder.at[4u * splitBase + size * kWorkNodes + at] = k;
+    uint size = min((count - 1u) / 4u, 2u);
+    uint runs = size < 2u ? 1u : ceilDiv(count, 8u);
+    uint at = orderBase + size * kWorkNodes + atomicAdd(sizeCounts[size], runs);
+    [[unroll]] for (uint run = 0u; run < kSubtree / 8u; run++) {
+        if (run < runs) workOrder.at[at + run] = k | run << 16;
+    }
 }
 PrimRef refAt(uint k) { return workRefs.at[refBase + lists.at[listBase + k]]; }
 
@@ -38,51 +46,71 @@ uint refOf(WorkNode node, uint i) { return refBase + lists.at[listBase + node.fi
 #define BOXES workRefs
 #include "lib/best_face.glsl"
 
-Split bestOfMany(WorkNode node) {
-    Split best = noSplit();
-    uint from = 0u;
-    do {
-        Split s = bestOfRun(node, from);
-        if (isBetter(s, best)) best = s;
-        from += 8u;
-    } while (from < node.count);
-    return best;
-}
-
 // Notes how a node is split, if that is worth it.
 void choose(uint k, WorkNode node, Split best, uint depth) {
     WorkSplit w;
     w.axis = isWorthwhile(costs, best, node.cell, node.count, depth, args.state.at.maxDepth) ? best.axis : kLeafAxis;
     w.position = best.position;
     w.left = best.planarLeft;
-    args.workSplits.at[splitBase + k] = w;
+    workSplits.at[splitBase + k] = w;
 }
 
-// Nodes of like size at the same time. A loop runs at least once on CPU devices, and so does what is in a branch.
-void chooseSplits(uint depth, uint four, uint eight, uint sixteen, uint more) {
+uint orderAt(uint size, uint k) { return workOrder.at[orderBase + size * kWorkNodes + k]; }
+
+// The best plane of a run of a node is noted behind the splits of nodes.
+void noteRun(uint k, Split s) {
+    WorkSplit w;
+    w.axis = s.axis;
+    w.position = s.position;
+    w.left = s.planarLeft;
+    w.right = floatBitsToUint(s.cost);
+    workSplits.at[splitBase + kWorkNodes + k] = w;
+}
+Split notedRun(uint k) {
+    WorkSplit w = workSplits.at[splitBase + kWorkNodes + k];
+    Split s;
+    s.axis = w.axis;
+    s.position = w.position;
+    s.planarLeft = w.left;
+    s.cost = uintBitsToFloat(w.right);
+    return s;
+}
+
+void chooseSplits(uint depth, uint four, uint eight, uint runs) {
     uint i = gl_LocalInvocationID.x;
     for (uint k = i; k < four; k += gl_WorkGroupSize.x) {
-        uint n = args.workOrder.at[4u * splitBase + k];
-        WorkNode node = args.workNodes.at[nodeBase + n];
+        uint n = orderAt(0u, k);
+        WorkNode node = workNodes.at[nodeBase + n];
         choose(n, node, bestOfFour(node), depth);
     }
     for (uint k = i; k < eight; k += gl_WorkGroupSize.x) {
-        uint n = args.workOrder.at[4u * splitBase + kWorkNodes + k];
-        WorkNode node = args.workNodes.at[nodeBase + n];
+        uint n = orderAt(1u, k);
+        WorkNode node = workNodes.at[nodeBase + n];
         choose(n, node, bestOfEight(node), depth);
     }
-    for (uint k = i; k < sixteen + more; k += gl_WorkGroupSize.x) {
-        uint n = args.workOrder.at[4u * splitBase + (k < sixteen ? 2u * kWorkNodes + k : 3u * kWorkNodes + k - sixteen)];
-        WorkNode node = args.workNodes.at[nodeBase + n];
-        choose(n, node, bestOfMany(node), depth);
+    for (uint k = i; k < runs; k += gl_WorkGroupSize.x) {
+        uint run = orderAt(2u, k);
+        noteRun(k, bestOfRun(workNodes.at[nodeBase + (run & 0xFFFFu)], 8u * (run >> 16)));
+    }
+    meetInMemory();
+    for (uint k = i; k < runs; k += gl_WorkGroupSize.x) {
+        uint n = orderAt(2u, k);
+        if (n >> 16 != 0u) continue;  // not a node's first run
+        WorkNode node = workNodes.at[nodeBase + n];
+        Split best = notedRun(k);
+        for (uint run = 1u; 8u * run < node.count; run++) {
+            Split s = notedRun(k + run);
+            if (isBetter(s, best)) best = s;
+        }
+        choose(n, node, best, depth);
     }
 }
 
 // Which references go where; those that straddle the plane are to be cut.
 void divide(uint k) {
-    WorkSplit w = args.workSplits.at[splitBase + k];
+    WorkSplit w = workSplits.at[splitBase + k];
     if (w.axis == kLeafAxis) return;
-    WorkNode node = args.workNodes.at[nodeBase + k];
+    WorkNode node = workNodes.at[nodeBase + k];
     uint planarLeft = w.left;
     w.left = 0u;
     w.right = 0u;
@@ -105,15 +133,15 @@ void divide(uint k) {
         args.workCuts.at[cutBase + next] = c;
         next++;
     }
-    args.workSplits.at[splitBase + k] = w;
+    workSplits.at[splitBase + k] = w;
 }
 
 // Makes the two parts of a reference, at `at`; one without a point of the triangle goes nowhere.
 void cut(uint c, uint at) {
     WorkCut w = args.workCuts.at[cutBase + c];
     PrimRef r = workRefs.at[refBase + w.ref];
-    uint axis = args.workSplits.at[splitBase + w.node].axis;
-    float position = args.workSplits.at[splitBase + w.node].position;
+    uint axis = workSplits.at[splitBase + w.node].axis;
+    float position = workSplits.at[splitBase + w.node].position;
     Box box;
     box.lo = r.lo;
     box.hi = r.hi;
@@ -130,14 +158,14 @@ void cut(uint c, uint at) {
     r.lo = parts.right.lo;
     r.hi = parts.right.hi;
     workRefs.at[refBase + at + 1u] = r;
-    if (isEmpty(parts.left)) atomicAnd(args.workSplits.at[splitBase + w.node].left, ~(1u << w.bit));
-    if (isEmpty(parts.right)) atomicAnd(args.workSplits.at[splitBase + w.node].right, ~(1u << w.bit));
+    if (isEmpty(parts.left)) atomicAnd(workSplits.at[splitBase + w.node].left, ~(1u << w.bit));
+    if (isEmpty(parts.right)) atomicAnd(workSplits.at[splitBase + w.node].right, ~(1u << w.bit));
 }
 
 // What a node adds: splits, references of the next level, references in leaves, nodes of the next level.
 uvec4 additions(uint k) {
-    WorkSplit w = args.workSplits.at[splitBase + k];
-    if (w.axis == kLeafAxis) return uvec4(0u, 0u, args.workNodes.at[nodeBase + k].count, 0u);
+    WorkSplit w = workSplits.at[splitBase + k];
+    if (w.axis == kLeafAxis) return uvec4(0u, 0u, workNodes.at[nodeBase + k].count, 0u);
     uint left = bitCount(w.left);
     uint right = bitCount(w.right);
     return uvec4(1u, left + right, 0u, min(left, 1u) + min(right, 1u));
@@ -154,21 +182,23 @@ void putChild(uint batch, Box cell, uint first, uint count, uint number, uint ne
     n.first = first;
     n.count = count;
     n.staged = number;
-    args.workNodes.at[(nodeBase ^ kWorkNodes) + next] = n;
+    workNodes.at[(nodeBase ^ kWorkNodes) + next] = n;
     sortIn(next, count);
 }
 
 // Stages a node, and hands its references on. `before`: what the nodes before it add. `at`: where the parts of cut
 // references are.
 void putNode(Subtrees s, uint batch, uint k, uvec4 before, uint at) {
-    WorkNode node = args.workNodes.at[nodeBase + k];
-    WorkSplit w = args.workSplits.at[splitBase + k];
+    WorkNode node = workNodes.at[nodeBase + k];
+    WorkSplit w = workSplits.at[splitBase + k];
     uint leafRef = s.leafRefs + before.z;
     if (w.axis == kLeafAxis) {
         args.stagedNodes.at[batch * kStagedNodes + node.staged] = leafNode(leafRef, node.count);
-        for (uint i = 0u; i < node.count; i++) {
+        uint i = 0u;
+        do {
             args.stagedRefs.at[batch * kStagedRefs + leafRef + i] = refAt(node.first + i).prim;
-        }
+            i++;
+        } while (i < node.count);
         return;
     }
     uint child = s.nodes + 2u * before.x;
@@ -178,7 +208,8 @@ void putNode(Subtrees s, uint batch, uint k, uvec4 before, uint at) {
     uint toLeft = (listBase ^ kWorkList) + before.y;
     uint toRight = toLeft + leftCount;
     uint part = at + 2u * w.cut;
-    for (uint i = 0u; i < node.count; i++) {
+    uint i = 0u;
+    do {
         uint bit = 1u << i;
         uint left = lists.at[listBase + node.first + i];
         uint right = left;
@@ -195,7 +226,8 @@ void putNode(Subtrees s, uint batch, uint k, uvec4 before, uint at) {
             lists.at[toRight] = right;
             toRight++;
         }
-    }
+        i++;
+    } while (i < node.count);
     putChild(batch, leftOf(node.cell, w.axis, w.position), before.y, leftCount, child, before.w, leafRef);
     putChild(batch, rightOf(node.cell, w.axis, w.position), before.y + leftCount, rightCount, child + 1u,
              before.w + min(leftCount, 1u), leafRef);
@@ -231,7 +263,7 @@ uvec4 takeRoots(uint first, uint end) {
         w.first = sum.y;
         w.count = node.count;
         w.staged = sum.x;
-        args.workNodes.at[nodeBase + sum.x] = w;
+        workNodes.at[nodeBase + sum.x] = w;
         sortIn(sum.x, node.count);
         for (uint k = 0u; k < node.count; k++) {
             workRefs.at[refBase + sum.y + k] = refsIn().at[node.first + k];
@@ -254,7 +286,7 @@ Subtrees grown(uint batch, uvec4 roots) {
     for (uint count = roots.x; count > 0u;) {
         if (i == 0u) cutCount = 0u;
         meetInMemory();
-        chooseSplits(push.depth + s.levels, sizeCounts[0], sizeCounts[1], sizeCounts[2], sizeCounts[3]);
+        chooseSplits(push.depth + s.levels, sizeCounts[0], sizeCounts[1], sizeCounts[2]);
         meetInMemory();
         for (uint k = i; k < count; k += gl_WorkGroupSize.x) divide(k);
         meetInMemory();
@@ -262,7 +294,7 @@ Subtrees grown(uint batch, uvec4 roots) {
         bool fits = cuts <= kWorkCuts && refs + 2u * cuts <= kWorkRefs;
         for (uint c = i; fits && c < cuts; c += gl_WorkGroupSize.x) cut(c, refs + 2u * c);
         meetInMemory();
-        if (i < 4u) sizeCounts[i] = 0u;
+        if (i < 3u) sizeCounts[i] = 0u;
         uint run = ceilDiv(count, gl_WorkGroupSize.x);
         uint from = i * run;
         uint to = min(from + run, count);
@@ -295,7 +327,7 @@ void buildBatch(uint batch) {
     bool isLast = batch + 1u == ceilDiv(thisLevel.subtreeRefCount, kBatch);
     uint first = args.batchFirsts.at[batch];
     uint end = isLast ? thisLevel.nodeCount : args.batchFirsts.at[batch + 1u];
-    if (i < 4u) sizeCounts[i] = 0u;
+    if (i < 3u) sizeCounts[i] = 0u;
     uvec4 roots = takeRoots(first, end);
     meetInMemory();
     Subtrees s = grown(batch, roots);
@@ -329,17 +361,21 @@ void buildBatch(uint batch) {
 
 void main() {
     uint batches = ceilDiv(thisLevel.subtreeRefCount, kBatch);
-    uint workers = workersFor(batches);
+    uint workers = min(batches, args.workers);
     uint worker = groupIndex();
     if (worker >= workers) return;
     workRefs = args.workRefs;
     lists = args.workLists;
+    workOrder = args.workOrder;
+    workNodes = args.workNodes;
+    workSplits = args.workSplits;
     costs = args.costs;
     refBase = worker * kWorkRefs;
     cutBase = worker * kWorkCuts;
     listBase = worker * 2u * kWorkList;
     nodeBase = worker * 2u * kWorkNodes;
-    splitBase = worker * kWorkNodes;
+    splitBase = worker * 2u * kWorkNodes;
+    orderBase = worker * 3u * kWorkNodes;
     for (uint batch = worker; batch < batches; batch += workers) {
         buildBatch(batch);
         meetInMemory();

@@ -63,7 +63,6 @@ Split bestOfRun(NODE node, uint from) {
                 ofLo[u] = 0u;
                 ofHi[u] = 0u;
             }
-            again = false;
             uint next = 0u;
             do {
                 uint others[8];
@@ -74,7 +73,6 @@ Split bestOfRun(NODE node, uint from) {
                 [[unroll]] for (uint u = 0u; u < 8u; u++) others[u] = refOf(node, next + u);
                 hold(others, next, node.count, axis, otherLo, otherHi);
                 orderSides(otherLo, otherHi, planarLeft, begins, ends);
-                again = again || anyFlat(otherLo, otherHi);
                 [[unroll]] for (uint u = 0u; u < 8u; u++) {
                     ofLo[u] += sideCounts(begins, ends, lo[u]);
                     ofHi[u] += sideCounts(begins, ends, hi[u]);
@@ -85,7 +83,7 @@ Split bestOfRun(NODE node, uint from) {
                 ofAxis = cheaper(ofAxis, node.cell, axis, lo[u], ofLo[u], planarLeft);
                 ofAxis = cheaper(ofAxis, node.cell, axis, hi[u], ofHi[u], planarLeft);
             }
-            again = again && planarLeft;
+            again = planarLeft && anyFlat(lo, hi);  // only faces of flat boxes have planar references
             planarLeft = false;
         } while (again);
         if (ofAxis.cost < best.cost) best = ofAxis;

@@ -173,14 +173,13 @@ struct Level {
     uint subtreeRefCount;        // of nodes that `subtrees` builds
     DispatchSize perChunk;       // a workgroup per chunk: bounds, bin, choose_split, nearest
     DispatchSize perChunkGroup;  // an invocation per chunk: snap
-    DispatchSize perRefBlock;    // a workgroup per kBlock references: exact_split, classify, offsets
-    DispatchSize perRefGroup;    // an invocation per reference: partition
-    DispatchSize perWorker;      // a workgroup per kBatchesPerWorker batches: subtrees
+    DispatchSize perRefBlock;    // a workgroup per kBlock references: exact_split, classify, offsets, partition
+    DispatchSize perWorker;      // a workgroup per batch, or for several of them: subtrees
     DispatchSize perBatch;       // a workgroup per batch: graft
     DispatchSize perNodeBlock;   // a workgroup per kBlock nodes: count_children, emit_nodes
     DispatchSize once;           // one workgroup, none if the level is empty: scan, next_level
 };
-CLEAVE_SIZE(Level, 112);
+CLEAVE_SIZE(Level, 100);
 
 // Describes all triangles together, once they are loaded.
 struct SceneState {
@@ -212,7 +211,7 @@ struct BuildState {
     uvec4 refTotals;
     Level level[kMaxDepth + 2u];
 };
-CLEAVE_SIZE(BuildState, 7388);
+CLEAVE_SIZE(BuildState, 6608);
 
 #ifndef __cplusplus
 #include "lib/build_arrays.glsl"
@@ -242,8 +241,8 @@ CLEAVE_SIZE(BuildState, 7388);
     ROW(workCuts, WorkCut, WorkCutArray, n.workers* kWorkCuts)                                            \
     ROW(workLists, uint, UintArray, n.workers * 2 * kWorkList)                                            \
     ROW(workNodes, WorkNode, WorkNodeArray, n.workers * 2 * kWorkNodes)                                   \
-    ROW(workOrder, uint, UintArray, n.workers * 4 * kWorkNodes)                                           \
-    ROW(workSplits, WorkSplit, WorkSplitArray, n.workers* kWorkNodes)                                     \
+    ROW(workOrder, uint, UintArray, n.workers * 3 * kWorkNodes)                                           \
+    ROW(workSplits, WorkSplit, WorkSplitArray, n.workers * 2 * kWorkNodes)                                \
     ROW(nodeSums, uvec4, Uvec4Array, n.nodeBlocks) /* per block of nodes: see nodeCounts() */
 
 // And those that become the tree.
@@ -278,7 +277,7 @@ struct BuildArgs {
     float invBinCount;
     SahCosts costs;
     uint everything;  // 1: bins are counted also where a node is flat
-    uint reserved;
+    uint workers;     // the most workgroups of `subtrees`
 };
 CLEAVE_SIZE(BuildArgs, 328);
 
@@ -322,11 +321,11 @@ CLEAVE_FN uint depthLimit(uint setting, uint n) { return setting != 0u ? min(set
 // The most chunks that a level of `refs` references can have.
 CLEAVE_FN uint chunkCapacity(uint refs, uint exactUpTo) { return refs / (exactUpTo + 1u) + refs / kChunk + 1u; }
 
-// Workgroups of `subtrees` for so many batches.
+// The most workgroups of `subtrees`, where a level has at most so many batches.
 CLEAVE_FN uint workersFor(uint batches) { return min(ceilDiv(batches, kBatchesPerWorker), kMostWorkers); }
 
 // `row`: the most workgroups in a row of a dispatch.
-CLEAVE_FN Level levelOf(uint refCount, uint nodeCount, uint chunkCount, uint subtreeRefCount, uint row) {
+CLEAVE_FN Level levelOf(uint refCount, uint nodeCount, uint chunkCount, uint subtreeRefCount, uint workers, uint row) {
     Level l;
     l.refCount = refCount;
     l.nodeCount = nodeCount;
@@ -335,8 +334,7 @@ CLEAVE_FN Level levelOf(uint refCount, uint nodeCount, uint chunkCount, uint sub
     l.perChunk = dispatchSize(chunkCount, row);
     l.perChunkGroup = dispatchSize(ceilDiv(chunkCount, kGroup), row);
     l.perRefBlock = dispatchSize(ceilDiv(refCount, kBlock), row);
-    l.perRefGroup = dispatchSize(ceilDiv(refCount, kGroup), row);
-    l.perWorker = dispatchSize(workersFor(ceilDiv(subtreeRefCount, kBatch)), row);
+    l.perWorker = dispatchSize(min(ceilDiv(subtreeRefCount, kBatch), workers), row);
     l.perBatch = dispatchSize(ceilDiv(subtreeRefCount, kBatch), row);
     l.perNodeBlock = dispatchSize(ceilDiv(nodeCount, kBlock), row);
     l.once = dispatchSize(min(nodeCount, 1u), row);
