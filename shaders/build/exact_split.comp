@@ -1,7 +1,7 @@
 #version 460
-// Exact SAH of the small nodes that `subtrees` left: every face of every box is a candidate. A workgroup treats the nodes whose references
-// begin in its block of references: first the best face of each box is found, then of these the best in each node. So
-// nodes of a few references, which most are, share a workgroup.
+// Exact SAH of the small nodes that `subtrees` left: every face of every box is a candidate. A workgroup treats the nodes
+// whose references begin in its block of references: first the best face of each box is found (on CPU devices: of eight
+// boxes), then of these the best in each node. So nodes of a few references share a workgroup.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
 #include "lib/build.glsl"
@@ -90,7 +90,7 @@ Split cheaperOf(Split best, Box cell, uint axis, float position, uint left, uint
     return best;
 }
 
-// Candidates come in the order of isBetter(), so that the first of the cheapest is best.
+// Faces come in the order of isBetter(), so that the first of the cheapest is best.
 Split bestFaceOf(FaceCounts f, bool anyFlat) {
     Box cell = nodes.at[f.r.node].cell;
     Split best = noSplit();
