@@ -54,7 +54,8 @@ BuildCounts countsOf(const BuildInfo& info) noexcept {
     n.leafRefs = c.leafRefs;
     n.chunks = chunkCapacity(c.refs, info.exactUpTo);
     n.refBlocks = ceilDiv64(c.refs, kBlock);
-    n.workers = workersFor(static_cast<uint32_t>(n.refBlocks));
+    n.batches = ceilDiv64(c.refs, kBatch);
+    n.workers = workersFor(static_cast<uint32_t>(n.batches));
     n.nodeBlocks = ceilDiv64(c.levelNodes, kBlock);
     n.triangles = triangleCountOf(info);
     n.geometries = info.geometryCount;
@@ -120,6 +121,7 @@ BuildArgs buildArgs(const BuildInfo& info, VkDeviceAddress tree, const Range* sc
     a.snap = info.snap ? 1 : 0;
     a.row = row;
     a.everything = info.everything ? 1 : 0;
+    a.workers = static_cast<uint32_t>(n.workers);
     a.costs = {info.costTraverse, info.costIntersect, info.costLeaf, info.emptyBonus};
     a.invBinCount = 1.0f / static_cast<float>(info.bins);
     return a;

@@ -16,6 +16,7 @@ struct BuildCounts {
     uint64_t leafRefs = 0;
     uint64_t chunks = 0;
     uint64_t refBlocks = 0;
+    uint64_t batches = 0;
     uint64_t workers = 0;
     uint64_t nodeBlocks = 0;
     uint64_t triangles = 0;

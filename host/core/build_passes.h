@@ -15,7 +15,7 @@ namespace cleave {
 #define CLEAVE_SETUP_PASSES(ROW)                                  \
     ROW(find_scale, findScale, perRefBlock, wide, 0, all)         \
     ROW(load_triangles, loadTriangles, perRefBlock, wide, 0, all) \
-    ROW(scan, scanTriangles, once, own, kScanTriangles, all)      \
+    ROW(scan, scanTriangles, once, wide, kScanTriangles, all)     \
     ROW(make_refs, makeRefs, perRefBlock, wide, 0, all)           \
     ROW(begin, begin, once, own, 0, all)
 
@@ -29,13 +29,13 @@ namespace cleave {
     ROW(subtrees, subtrees, perWorker, narrow, 0, all)             \
     ROW(exact_split, exactSplit, perRefBlock, wide, 0, all)        \
     ROW(classify, classify, perRefBlock, narrow, 0, all)           \
-    ROW(scan, scanRefs, once, own, kScanRefs, all)                 \
+    ROW(scan, scanRefs, once, wide, kScanRefs, all)                \
     ROW(offsets, offsets, perRefBlock, wide, 0, all)               \
     ROW(count_children, countChildren, perNodeBlock, wide, 0, all) \
-    ROW(next_level, nextLevel, once, own, 0, all)                  \
+    ROW(next_level, nextLevel, once, wide, 0, all)                 \
     ROW(emit_nodes, emitNodes, perNodeBlock, wide, 0, all)         \
-    ROW(partition, partition, perRefGroup, own, 0, all)            \
-    ROW(graft, graft, perRefBlock, wide, 0, all)
+    ROW(partition, partition, perRefBlock, wide, 0, all)           \
+    ROW(graft, graft, perBatch, wide, 0, all)
 
 // Run once, at the end.
 #define CLEAVE_LAST_PASSES(ROW) ROW(finish_tree, finishTree, once, own, 0, all)

@@ -79,7 +79,7 @@ void cmdBuild(VkCommandBuffer commands, const Context& context, const BuildInfo&
     recorder.fillZero(scratch[0].buffer, offset(at.state), sizeof(BuildState));
     BuildRecording build(state, recorder, info, scratch[0], at);
     build.note("arguments");
-    const Level input = levelOf(args.triangleCount, 1, 0, state.row);
+    const Level input = levelOf(args.triangleCount, 1, 0, 0, 0, state.row);
     for (const BuildPass& pass : kSetupPasses) build.once(pass, input);
     const PassChoice choice = choiceOf(info);
     const uint32_t maxDepth = depthLimit(info.maxDepth, args.triangleCount);

@@ -18,17 +18,16 @@ constexpr uint32_t kMostNarrow = 64;
 struct GroupSizes {
     uint32_t wide = kLargestGroup;
     uint32_t narrow = kMostNarrow;
-    uint32_t refsPerLane = 1;  // in exact_split: of a CPU's few lanes each makes more of a load this way
-    bool lockstep = false;     // a workgroup is one vector of a CPU: its lanes need not wait for each other
+    bool lockstep = false;  // a workgroup is one vector of a CPU: its lanes need not wait for each other
 };
 
 // A CPU device runs the invocations of a subgroup as the lanes of vectors, one instruction of all after the other.
 constexpr uint32_t kCpuLanes = 8;
 
 GroupSizes groupSizes(const VkPhysicalDeviceProperties& properties, uint32_t subgroup, uint32_t asked) {
-    if (asked != 0) return {asked, std::min(asked, kMostNarrow), 1, false};
+    if (asked != 0) return {asked, std::min(asked, kMostNarrow), false};
     if (properties.deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU) return {};
-    return {kCpuLanes, kCpuLanes, 4, subgroup >= kCpuLanes};
+    return {kCpuLanes, kCpuLanes, subgroup >= kCpuLanes};
 }
 
 // Creates kernels and remembers what failed first.
@@ -50,9 +49,8 @@ bool createBuildKernels(Creation& creation, Context::State& state, const GroupSi
             const bool known = std::any_of(state.buildKernels.begin(), state.buildKernels.end(),
                                            [&](const Kernel& k) { return k.name() == pass.kernel; });
             if (known) continue;
-            const uint32_t suited[] = {pass.lanes == Lanes::wide ? sizes.wide : sizes.narrow, sizes.refsPerLane,
-                                       sizes.lockstep ? 1u : 0u};
-            const std::span<const uint32_t> constants(suited, pass.lanes == Lanes::own ? 0 : 3);
+            const uint32_t suited[] = {pass.lanes == Lanes::wide ? sizes.wide : sizes.narrow, sizes.lockstep ? 1u : 0u};
+            const std::span<const uint32_t> constants(suited, pass.lanes == Lanes::own ? 0 : 2);
             if (!creation.create(state.buildKernels.emplace_back(), pass.kernel, sizeof(BuildPush), constants))
                 return false;
         }

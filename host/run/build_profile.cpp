@@ -25,9 +25,9 @@ void add(PassWork& work, const BuildPass& pass, const Level& level, double ms) {
         work.what = what;
         work.elements += elements;
     };
-    if (pass.groups == offsetof(Level, perRefBlock) || pass.groups == offsetof(Level, perRefGroup) ||
-        pass.groups == offsetof(Level, perWorker))
-        treats("references", level.refCount);
+    if (pass.groups == offsetof(Level, perRefBlock)) treats("references", level.refCount);
+    if (pass.groups == offsetof(Level, perWorker) || pass.groups == offsetof(Level, perBatch))
+        treats("references", level.subtreeRefCount);
     if (pass.groups == offsetof(Level, perChunk) || pass.groups == offsetof(Level, perChunkGroup))
         treats("chunks", level.chunkCount);
     if (pass.groups == offsetof(Level, perNodeBlock)) treats("nodes", level.nodeCount);
@@ -41,7 +41,7 @@ BuildProfile profileOf(std::span<const double> ms, const BuildState& state, uint
     size_t next = 0;
     const auto take = [&] { return next < ms.size() ? ms[next++] : 0.0; };
     workOf(profile.passes, "arguments").ms = take();
-    const Level input = levelOf(triangles, 1, 0, kLongestRow);
+    const Level input = levelOf(triangles, 1, 0, 0, 0, kLongestRow);
     for (const BuildPass& pass : kSetupPasses) add(workOf(profile.passes, pass.kernel), pass, input, take());
     // A build records as many levels as its triangles can need; the others cost an empty dispatch a pass.
     const auto perLevel =

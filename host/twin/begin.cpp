@@ -15,7 +15,8 @@ void begin(BuildArrays& a, uint32_t) {
         }
     a.state.nodesUsed = 1;
     a.state.maxDepth = depthLimit(a.args.maxDepth, n);
-    a.state.level[0] = levelOf(n, 1, chunks, a.args.row);
+    a.batchFirsts[0] = 0;
+    a.state.level[0] = levelOf(n, 1, chunks, subtreeRefsOf(n, a.args.exactUpTo), a.args.workers, a.args.row);
 }
 
 }  // namespace cleave::twin

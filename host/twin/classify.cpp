@@ -27,7 +27,11 @@ uint32_t classifyOne(BuildArrays& a, uint32_t depth, uint32_t i) {
 
 void classify(BuildArrays& a, uint32_t depth) {
     const uint32_t count = a.state.level[depth].refCount;
-    for (uint32_t block = 0; block < ceilDiv(count, kBlock); block++) a.blockSums[block].x = a.blockSums[block].y = 0;
+    const uint32_t batches = ceilDiv(a.state.level[depth].subtreeRefCount, kBatch);
+    for (uint32_t block = 0; block < ceilDiv(count, kBlock); block++) {
+        glm::uvec4& sums = a.blockSums[block];
+        sums = block < batches ? glm::uvec4(0, 0, sums.z, sums.w) : glm::uvec4(0);
+    }
     for (uint32_t i = 0; i < count; i++) {
         a.sides[i] = classifyOne(a, depth, i);
         a.blockSums[i / kBlock].x += (a.sides[i] & kLeft) ? 1 : 0;

@@ -13,7 +13,8 @@ glm::uvec4 nodeCounts(const BuildArrays& a, const BuildNode& node) {
     if (node.split.axis == kSubtreeAxis) return glm::uvec4(0);
     const Children c = childrenOf(a, node);
     const uint32_t upTo = a.args.exactUpTo;
-    return {1, 0, chunksOf(c.left, upTo) + chunksOf(c.right, upTo), 0};
+    return {1, 0, chunksOf(c.left, upTo) + chunksOf(c.right, upTo),
+            subtreeRefsOf(c.left, upTo) + subtreeRefsOf(c.right, upTo)};
 }
 
 void countChildren(BuildArrays& a, uint32_t depth) {

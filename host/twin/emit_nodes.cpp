@@ -4,14 +4,17 @@ namespace cleave::twin {
 
 namespace {
 
-// One child: its node of the next level, and its chunks.
-void emitChild(BuildArrays& a, uint32_t depth, uint32_t index, Box cell, uint32_t first, uint32_t count,
-               uint32_t chunk) {
+// One child: its node of the next level, its chunks, and the batch that begins there. `subtreeRefs`: how many
+// references of nodes before it `subtrees` treats.
+void emitChild(BuildArrays& a, uint32_t depth, uint32_t index, Box cell, uint32_t first, uint32_t count, uint32_t chunk,
+               uint32_t subtreeRefs) {
     const uint32_t chunks = chunksOf(count, a.args.exactUpTo);
     a.nodesOut(depth)[index] = buildNode(cell, first, count, a.state.nodeBase + index, chunk);
     for (uint32_t c = 0; c < chunks; c++) a.chunks[chunk + c] = chunkOf(index, first, count, c);
     for (uint32_t k = 0; chunks > 0 && k < kBoundsWords; k++)
         a.bounds[chunk * kBoundsWords + k] = k < 3 ? 0xFFFFFFFFu : 0u;
+    for (uint32_t r = 0; r < subtreeRefsOf(count, a.args.exactUpTo); r++)
+        if ((subtreeRefs + r) % kBatch == 0) a.batchFirsts[(subtreeRefs + r) / kBatch] = r == 0 ? index : index + 1;
 }
 
 }  // namespace
@@ -35,9 +38,9 @@ void emitNodes(BuildArrays& a, uint32_t depth) {
             node.leftBase = a.offsets[node.first].y;
             node.rightBase = a.offsets[node.first + node.count].x;
             a.tree[node.treeNode] = innerNode(s.axis, s.position, a.state.nodeBase + left);
-            emitChild(a, depth, left, leftOf(node.cell, s.axis, s.position), first, c.left, before.z);
+            emitChild(a, depth, left, leftOf(node.cell, s.axis, s.position), first, c.left, before.z, before.w);
             emitChild(a, depth, left + 1, rightOf(node.cell, s.axis, s.position), first + c.left, c.right,
-                      before.z + chunksOf(c.left, upTo));
+                      before.z + chunksOf(c.left, upTo), before.w + subtreeRefsOf(c.left, upTo));
         }
         before += nodeCounts(a, node);
     }

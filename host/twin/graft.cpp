@@ -4,13 +4,13 @@ namespace cleave::twin {
 
 void graft(BuildArrays& a, uint32_t depth) {
     if (a.state.finish) return;
-    for (uint32_t block = 0; block < ceilDiv(a.state.level[depth].refCount, kBlock); block++) {
-        const Subtrees& s = a.subtrees[block];
+    for (uint32_t batch = 0; batch < ceilDiv(a.state.level[depth].subtreeRefCount, kBatch); batch++) {
+        const Subtrees& s = a.subtrees[batch];
         if (s.nodes == 0) continue;
-        const uint32_t node = a.state.subtreeNodes + a.blockSums[block].z;
-        const uint32_t leafRef = a.state.subtreeRefs + a.blockSums[block].w;
-        const KdNode* nodes = &a.stagedNodes[size_t{block} * kStagedNodes];
-        const uint32_t* leafRefs = &a.stagedRefs[size_t{block} * kStagedRefs];
+        const uint32_t node = a.state.subtreeNodes + a.blockSums[batch].z;
+        const uint32_t leafRef = a.state.subtreeRefs + a.blockSums[batch].w;
+        const KdNode* nodes = &a.stagedNodes[size_t{batch} * kStagedNodes];
+        const uint32_t* leafRefs = &a.stagedRefs[size_t{batch} * kStagedRefs];
         const auto placed = [&](KdNode n) {
             if (isLeaf(n)) return leafNode(leafRef + leafFirst(n), leafCount(n));
             return innerNode(nodeAxis(n), nodePosition(n), node + nodeChild(n) - s.roots);

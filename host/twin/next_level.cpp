@@ -23,7 +23,8 @@ void nextLevel(BuildArrays& a, uint32_t depth) {
     s.subtreeRefs = s.leafBase + totals.y;
     const bool last = depth + 1 >= a.state.maxDepth;  // its nodes are leaves: there is nothing to choose
     s.level[depth + 1] =
-        fits ? levelOf(refs, levelNodes, last ? 0 : totals.z, a.args.row) : levelOf(0, 0, 0, a.args.row);
+        fits ? levelOf(refs, levelNodes, last ? 0 : totals.z, last ? 0 : totals.w, a.args.workers, a.args.row)
+             : levelOf(0, 0, 0, 0, 0, a.args.row);
     if (fits) s.nodesUsed = nodes;
     s.leafRefsUsed += fits ? totals.y + s.refTotals.w : s.level[depth].refCount;
 }

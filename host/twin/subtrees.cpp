@@ -6,14 +6,14 @@ namespace cleave::twin {
 
 namespace {
 
-// A node of a level of a block's subtrees.
+// A node of a level of a batch's subtrees.
 struct Node {
     Box cell;
     uint32_t staged;
     std::vector<PrimRef> refs;
 };
 
-// The subtrees of a block, level by level.
+// The subtrees of a batch, level by level.
 struct Growth {
     BuildArrays& a;
     uint32_t depth;
@@ -92,35 +92,33 @@ struct Growth {
     }
 };
 
-// The nodes that begin in a block; nodes without references are leaves in any case.
-void buildBlock(BuildArrays& a, uint32_t depth, uint32_t block) {
+void buildBatch(BuildArrays& a, uint32_t depth, uint32_t batch) {
     const Level& level = a.state.level[depth];
     const std::vector<PrimRef>& refs = a.refsIn(depth);
-    const uint32_t end = std::min((block + 1) * kBlock, level.refCount);
-    a.subtrees[block] = {};
-    a.blockSums[block] = glm::uvec4(0);
-    uint32_t first = refs[block * kBlock].node;
-    if (a.nodesIn(depth)[first].first < block * kBlock) first++;
-    const uint32_t last = refs[end - 1].node;
-    Growth growth{a, depth, &a.stagedNodes[size_t{block} * kStagedNodes], &a.stagedRefs[size_t{block} * kStagedRefs]};
+    const bool isLast = batch + 1 == ceilDiv(level.subtreeRefCount, kBatch);
+    const uint32_t first = a.batchFirsts[batch];
+    const uint32_t end = isLast ? level.nodeCount : a.batchFirsts[batch + 1];
+    a.subtrees[batch] = {};
+    a.blockSums[batch] = glm::uvec4(0);
+    Growth growth{a, depth, &a.stagedNodes[size_t{batch} * kStagedNodes], &a.stagedRefs[size_t{batch} * kStagedRefs]};
     std::vector<Node> roots;
-    for (uint32_t n = first; n <= last; n++) {
+    for (uint32_t n = first; n < end; n++) {
         const BuildNode& node = a.nodesIn(depth)[n];
         if (!isSubtree(node.count, a.args.exactUpTo)) continue;
         const auto from = refs.begin() + node.first;
         roots.push_back({node.cell, static_cast<uint32_t>(roots.size()), {from, from + node.count}});
         growth.workRefs += node.count;
     }
-    if (roots.empty() || depth >= a.state.maxDepth) return;
+    if (roots.empty()) return;
     growth.made.roots = growth.made.nodes = static_cast<uint32_t>(roots.size());
     while (!roots.empty())
         if (!growth.grow(roots)) return;
     growth.made.firstNode = first;
-    growth.made.endNode = last + 1;
-    a.subtrees[block] = growth.made;
-    a.blockSums[block] = {0, 0, growth.made.nodes - growth.made.roots, growth.made.leafRefs};
+    growth.made.endNode = end;
+    a.subtrees[batch] = growth.made;
+    a.blockSums[batch] = {0, 0, growth.made.nodes - growth.made.roots, growth.made.leafRefs};
     uint32_t root = 0;
-    for (uint32_t n = first; n <= last; n++) {
+    for (uint32_t n = first; n < end; n++) {
         BuildNode& node = a.nodesIn(depth)[n];
         if (!isSubtree(node.count, a.args.exactUpTo)) continue;
         node.split.axis = kSubtreeAxis;
@@ -131,8 +129,8 @@ void buildBlock(BuildArrays& a, uint32_t depth, uint32_t block) {
 }  // namespace
 
 void subtrees(BuildArrays& a, uint32_t depth) {
-    for (uint32_t block = 0; block < ceilDiv(a.state.level[depth].refCount, kBlock); block++)
-        buildBlock(a, depth, block);
+    for (uint32_t batch = 0; batch < ceilDiv(a.state.level[depth].subtreeRefCount, kBatch); batch++)
+        buildBatch(a, depth, batch);
 }
 
 }  // namespace cleave::twin

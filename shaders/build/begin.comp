@@ -13,5 +13,6 @@ void main() {
     if (chunks > 0u) clearBounds(0u);
     args.state.at.nodesUsed = 1u;
     args.state.at.maxDepth = depthLimit(args.maxDepth, n);
-    args.state.at.level[0] = levelOf(n, 1u, chunks, args.row);
+    args.batchFirsts.at[0] = 0u;
+    args.state.at.level[0] = levelOf(n, 1u, chunks, subtreeRefsOf(n, args.exactUpTo), args.workers, args.row);
 }

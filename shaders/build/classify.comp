@@ -1,8 +1,9 @@
 #version 460
 // Which side each reference goes to; straddling ones are clipped to both cells. A workgroup per block.
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 #include "lib/build.glsl"
-#include "shared/clip.h"
+#include "lib/clip.glsl"
 
 layout(local_size_x_id = 0) in;
 
@@ -26,7 +27,7 @@ uint clipped(uint index) {
     box.hi = r.hi;
     SplitBoxes parts;
     if (args.clip != 0u) {
-        parts = splitBoxes(withoutNumber(args.triangles.at[r.prim]), box, node.split.axis, node.split.position);
+        parts = partsOf(withoutNumber(args.triangles.at[r.prim]), box, node.split.axis, node.split.position);
     } else {
         parts.left = leftOf(box, node.split.axis, node.split.position);
         parts.right = rightOf(box, node.split.axis, node.split.position);
@@ -74,4 +75,7 @@ void main() {
     if (gl_LocalInvocationID.x != 0u) return;
     args.blockSums.at[block].x = leftCount;
     args.blockSums.at[block].y = rightCount;
+    if (block < ceilDiv(thisLevel.subtreeRefCount, kBatch)) return;
+    args.blockSums.at[block].z = 0u;
+    args.blockSums.at[block].w = 0u;
 }

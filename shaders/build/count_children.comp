@@ -1,5 +1,5 @@
 #version 460
-// Sums over each block of nodes: splits, references in leaves, chunks of the next level.
+// Sums over each block of nodes what nodeCounts() tells.
 #extension GL_GOOGLE_include_directive : require
 #include "lib/build.glsl"
 #include "lib/children.glsl"

@@ -1,5 +1,5 @@
 #version 460
-// Writes the tree's nodes of this level and the lists of nodes and of chunks of the next. A workgroup per
+// Writes the tree's nodes of this level and the lists of nodes, of chunks and of batches of the next. A workgroup per
 // block of nodes; an invocation treats a run of consecutive ones.
 #extension GL_GOOGLE_include_directive : require
 #include "lib/build.glsl"
@@ -8,12 +8,15 @@
 
 layout(local_size_x_id = 0) in;
 
-// One child: its node of the next level, and its chunks.
-void emitChild(uint index, Box cell, uint first, uint count, uint chunk) {
+// One child: its node of the next level, its chunks, and the batch that begins there. `subtreeRefs`: how many references
+// of nodes before it `subtrees` treats.
+void emitChild(uint index, Box cell, uint first, uint count, uint chunk, uint subtreeRefs) {
     nodesOut().at[index] = buildNode(cell, first, count, args.state.at.nodeBase + index, chunk);
     uint chunks = chunksOf(count, args.exactUpTo);
     for (uint c = 0u; c < chunks; c++) args.chunks.at[chunk + c] = chunkOf(index, first, count, c);
     if (chunks > 0u) clearBounds(chunk);
+    uint batch = batchAt(subtreeRefs, subtreeRefsOf(count, args.exactUpTo));
+    if (batch != kNone) args.batchFirsts.at[batch] = batch * kBatch == subtreeRefs ? index : index + 1u;
 }
 
 void emitLeaf(uint index, BuildNode node, uint first) {
@@ -38,9 +41,9 @@ void emitNode(uint index, BuildNode node, uvec2 children, uvec4 before) {
     nodesIn().at[index].child = left;
     nodesIn().at[index].leftBase = offset.y;
     nodesIn().at[index].rightBase = args.offsets.at[node.first + node.count].x;
-    emitChild(left, leftOf(node.cell, s.axis, s.position), first, children.x, before.z);
+    emitChild(left, leftOf(node.cell, s.axis, s.position), first, children.x, before.z, before.w);
     emitChild(left + 1u, rightOf(node.cell, s.axis, s.position), first + children.x, children.y,
-              before.z + chunksOf(children.x, args.exactUpTo));
+              before.z + chunksOf(children.x, args.exactUpTo), before.w + subtreeRefsOf(children.x, args.exactUpTo));
 }
 
 void main() {

@@ -4,11 +4,11 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lib/build.glsl"
 #include "lib/scan.glsl"
-layout(local_size_x = kLargestGroup) in;
+layout(local_size_x_id = 0) in;
 
 void main() {
-    uvec4 totals = scanInPlace(args.nodeSums, ceilDiv(thisLevel.nodeCount, kBlock), kLargestGroup);
-    if (gl_LocalInvocationID.x != kLargestGroup - 1u) return;
+    uvec4 totals = scanInPlace(args.nodeSums, ceilDiv(thisLevel.nodeCount, kBlock), gl_WorkGroupSize.x);
+    if (gl_LocalInvocationID.x != gl_WorkGroupSize.x - 1u) return;
     uint refs = args.state.at.refTotals.x + args.state.at.refTotals.y;
     uvec2 ofSubtrees = uvec2(args.state.at.refTotals.z, args.state.at.refTotals.w);
     uint nodes = args.state.at.nodesUsed + 2u * totals.x + ofSubtrees.x;
@@ -30,9 +30,9 @@ void main() {
         args.state.at.nodesUsed = nodes;
         args.state.at.leafRefsUsed += totals.y + ofSubtrees.y;
         bool last = push.depth + 1u >= args.state.at.maxDepth;  // its nodes are leaves: there is nothing to choose
-        args.state.at.level[push.depth + 1u] = levelOf(refs, levelNodes, last ? 0u : totals.z, args.row);
+        args.state.at.level[push.depth + 1u] = levelOf(refs, levelNodes, last ? 0u : totals.z, last ? 0u : totals.w, args.workers, args.row);
     } else {
         args.state.at.leafRefsUsed += thisLevel.refCount;
-        args.state.at.level[push.depth + 1u] = levelOf(0u, 0u, 0u, args.row);
+        args.state.at.level[push.depth + 1u] = levelOf(0u, 0u, 0u, 0u, 0u, args.row);
     }
 }

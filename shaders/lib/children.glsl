@@ -6,10 +6,11 @@ uvec2 childCounts(BuildNode node) {
     return args.offsets.at[node.first + node.count] - args.offsets.at[node.first];
 }
 
-// What a node adds to the sums of its block: splits, references in leaves, chunks of the next level.
+// What a node adds to the sums of its block: splits, references in leaves, and of the next level chunks and references
+// of nodes that `subtrees` builds.
 uvec4 nodeCounts(BuildNode node, uvec2 children) {
     if (node.split.axis == kLeafAxis) return uvec4(0u, node.count, 0u, 0u);
     if (node.split.axis == kSubtreeAxis) return uvec4(0u);
     uint upTo = args.exactUpTo;
-    return uvec4(1u, 0u, chunksOf(children.x, upTo) + chunksOf(children.y, upTo), 0u);
+    return uvec4(1u, 0u, chunksOf(children.x, upTo) + chunksOf(children.y, upTo), subtreeRefsOf(children.x, upTo) + subtreeRefsOf(children.y, upTo));
 }

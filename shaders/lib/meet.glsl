@@ -4,7 +4,7 @@
 
 // True where a workgroup runs in lockstep, so that nobody has to wait. A barrier is expensive on CPUs even if it is
 // free: lavapipe makes a coroutine of a kernel that has one, with all its variables in memory.
-layout(constant_id = 2) const bool kLockstep = false;
+layout(constant_id = 1) const bool kLockstep = false;
 
 // What was written to shared memory before is seen by all after.
 void meet() {

@@ -39,8 +39,8 @@ struct BuildNode {
 CLEAVE_SIZE(BuildNode, 68);
 CLEAVE_CONST uint kSubtreeAxis = 4u;
 
-// What `subtrees` built of the nodes that begin in a block of references. Their nodes are staged, roots first; children
-// and leaf references count from the block's first.
+// What `subtrees` built of a batch of nodes. Their nodes are staged, roots first; children and leaf references count
+// from the batch's first.
 struct Subtrees {
     uint firstNode;  // of the level
     uint endNode;
@@ -170,15 +170,16 @@ struct Level {
     uint refCount;
     uint nodeCount;
     uint chunkCount;
+    uint subtreeRefCount;        // of nodes that `subtrees` builds
     DispatchSize perChunk;       // a workgroup per chunk: bounds, bin, choose_split, nearest
     DispatchSize perChunkGroup;  // an invocation per chunk: snap
-    DispatchSize perRefBlock;    // a workgroup per kBlock references: exact_split, classify, offsets, graft
-    DispatchSize perRefGroup;    // an invocation per reference: partition
-    DispatchSize perWorker;      // a workgroup per kBlocksPerWorker of these blocks: subtrees
+    DispatchSize perRefBlock;    // a workgroup per kBlock references: exact_split, classify, offsets, partition
+    DispatchSize perWorker;      // a workgroup per batch, or for several of them: subtrees
+    DispatchSize perBatch;       // a workgroup per batch: graft
     DispatchSize perNodeBlock;   // a workgroup per kBlock nodes: count_children, emit_nodes
     DispatchSize once;           // one workgroup, none if the level is empty: scan, next_level
 };
-CLEAVE_SIZE(Level, 96);
+CLEAVE_SIZE(Level, 100);
 
 // Describes all triangles together, once they are loaded.
 struct SceneState {
@@ -210,7 +211,7 @@ struct BuildState {
     uvec4 refTotals;
     Level level[kMaxDepth + 2u];
 };
-CLEAVE_SIZE(BuildState, 6348);
+CLEAVE_SIZE(BuildState, 6608);
 
 #ifndef __cplusplus
 #include "lib/build_arrays.glsl"
@@ -231,17 +232,18 @@ CLEAVE_SIZE(BuildState, 6348);
     ROW(sides, uint, UintArray, n.refs)            /* kLeft | kRight | kClipped; at first: in the tree */ \
     ROW(clipped, Box, BoxArray, 2 * n.refs)        /* per reference two: left and right part */           \
     ROW(offsets, uvec2, Uvec2Array, n.refs + 1)    /* left and right references before each */            \
-    ROW(blockSums, uvec4, Uvec4Array, n.refBlocks) /* per block of references: as refTotals */            \
-    ROW(subtrees, Subtrees, SubtreesArray, n.refBlocks)                                                   \
-    ROW(stagedNodes, KdNode, KdNodeArray, n.refBlocks* kStagedNodes)                                      \
-    ROW(stagedRefs, uint, UintArray, n.refBlocks* kStagedRefs)                                            \
+    ROW(blockSums, uvec4, Uvec4Array, n.refBlocks) /* as refTotals: per block of references, or batch */  \
+    ROW(batchFirsts, uint, UintArray, n.batches)   /* the first node of each */                           \
+    ROW(subtrees, Subtrees, SubtreesArray, n.batches)                                                     \
+    ROW(stagedNodes, KdNode, KdNodeArray, n.batches* kStagedNodes)                                        \
+    ROW(stagedRefs, uint, UintArray, n.batches* kStagedRefs)                                              \
     ROW(workRefs, PrimRef, PrimRefArray, n.workers* kWorkRefs) /* these mean nothing between passes */    \
     ROW(workCuts, WorkCut, WorkCutArray, n.workers* kWorkCuts)                                            \
     ROW(workLists, uint, UintArray, n.workers * 2 * kWorkList)                                            \
     ROW(workNodes, WorkNode, WorkNodeArray, n.workers * 2 * kWorkNodes)                                   \
-    ROW(workOrder, uint, UintArray, n.workers * 4 * kWorkNodes)                                           \
-    ROW(workSplits, WorkSplit, WorkSplitArray, n.workers* kWorkNodes)                                     \
-    ROW(nodeSums, uvec4, Uvec4Array, n.nodeBlocks) /* per block of nodes: splits, references in leaves, chunks */
+    ROW(workOrder, uint, UintArray, n.workers * 3 * kWorkNodes)                                           \
+    ROW(workSplits, WorkSplit, WorkSplitArray, n.workers * 2 * kWorkNodes)                                \
+    ROW(nodeSums, uvec4, Uvec4Array, n.nodeBlocks) /* per block of nodes: see nodeCounts() */
 
 // And those that become the tree.
 #define CLEAVE_TREE_ARRAYS(ROW)                                  \
@@ -275,9 +277,9 @@ struct BuildArgs {
     float invBinCount;
     SahCosts costs;
     uint everything;  // 1: bins are counted also where a node is flat
-    uint reserved;
+    uint workers;     // the most workgroups of `subtrees`
 };
-CLEAVE_SIZE(BuildArgs, 320);
+CLEAVE_SIZE(BuildArgs, 328);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) buffer BuildArgsRef { BuildArgs at; };
@@ -319,20 +321,21 @@ CLEAVE_FN uint depthLimit(uint setting, uint n) { return setting != 0u ? min(set
 // The most chunks that a level of `refs` references can have.
 CLEAVE_FN uint chunkCapacity(uint refs, uint exactUpTo) { return refs / (exactUpTo + 1u) + refs / kChunk + 1u; }
 
-// Workgroups of `subtrees` for so many blocks of references.
-CLEAVE_FN uint workersFor(uint blocks) { return min(ceilDiv(blocks, kBlocksPerWorker), kMostWorkers); }
+// The most workgroups of `subtrees`, where a level has at most so many batches.
+CLEAVE_FN uint workersFor(uint batches) { return min(ceilDiv(batches, kBatchesPerWorker), kMostWorkers); }
 
 // `row`: the most workgroups in a row of a dispatch.
-CLEAVE_FN Level levelOf(uint refCount, uint nodeCount, uint chunkCount, uint row) {
+CLEAVE_FN Level levelOf(uint refCount, uint nodeCount, uint chunkCount, uint subtreeRefCount, uint workers, uint row) {
     Level l;
     l.refCount = refCount;
     l.nodeCount = nodeCount;
     l.chunkCount = chunkCount;
+    l.subtreeRefCount = subtreeRefCount;
     l.perChunk = dispatchSize(chunkCount, row);
     l.perChunkGroup = dispatchSize(ceilDiv(chunkCount, kGroup), row);
     l.perRefBlock = dispatchSize(ceilDiv(refCount, kBlock), row);
-    l.perRefGroup = dispatchSize(ceilDiv(refCount, kGroup), row);
-    l.perWorker = dispatchSize(workersFor(ceilDiv(refCount, kBlock)), row);
+    l.perWorker = dispatchSize(min(ceilDiv(subtreeRefCount, kBatch), workers), row);
+    l.perBatch = dispatchSize(ceilDiv(subtreeRefCount, kBatch), row);
     l.perNodeBlock = dispatchSize(ceilDiv(nodeCount, kBlock), row);
     l.once = dispatchSize(min(nodeCount, 1u), row);
     return l;
@@ -353,6 +356,7 @@ CLEAVE_FN Box rootCell(SceneState s) {
 CLEAVE_FN bool isLarge(uint count, uint exactUpTo) { return count > exactUpTo; }
 // Whether a node is built to its leaves at once.
 CLEAVE_FN bool isSubtree(uint count, uint exactUpTo) { return count > 0u && count <= min(exactUpTo, kSubtree); }
+CLEAVE_FN uint subtreeRefsOf(uint count, uint exactUpTo) { return isSubtree(count, exactUpTo) ? count : 0u; }
 CLEAVE_FN uint chunksOf(uint count, uint exactUpTo) { return isLarge(count, exactUpTo) ? ceilDiv(count, kChunk) : 0u; }
 
 CLEAVE_FN BuildNode buildNode(Box cell, uint first, uint count, uint treeNode, uint chunk) {
@@ -367,6 +371,13 @@ CLEAVE_FN BuildNode buildNode(Box cell, uint first, uint count, uint treeNode, u
     n.rightBase = 0u;
     n.split = noSplit();
     return n;
+}
+
+// Of a node whose references are [first, first + count) of those that `subtrees` treats: the batch that begins at it or
+// at the node after it, kNone if none does.
+CLEAVE_FN uint batchAt(uint first, uint count) {
+    uint batch = ceilDiv(first, kBatch);
+    return batch * kBatch < first + count ? batch : kNone;
 }
 
 // Chunk number `index` of a node.

@@ -48,19 +48,23 @@ CLEAVE_CONST uint kBlock = 256u;
 // (`subtrees`), instead of level by level. One bit of a word stands for a reference.
 CLEAVE_CONST uint kSubtree = 32u;
 
-// A workgroup of `subtrees` takes several blocks of references one after the other, and has to work with: references
-// (those of its nodes and two for each that is clipped), references that are clipped in a level, references and nodes
-// of a level. Subtrees that outgrow it are built level by level after all. The last two are powers of two.
-CLEAVE_CONST uint kBlocksPerWorker = 8u;
-CLEAVE_CONST uint kMostWorkers = 256u;
-CLEAVE_CONST uint kWorkRefs = 3072u;
-CLEAVE_CONST uint kWorkCuts = 512u;
-CLEAVE_CONST uint kWorkList = 1024u;
-CLEAVE_CONST uint kWorkNodes = 256u;
+// Such nodes of a level are built in batches: all that begin in so many of their references. At least kBlock.
+CLEAVE_CONST uint kBatch = 256u;
 
-// Nodes and leaf references that the subtrees of a block may have.
-CLEAVE_CONST uint kStagedNodes = 2048u;
-CLEAVE_CONST uint kStagedRefs = 1280u;
+// A level's batches are shared out to at most so many workgroups: one for every so many batches that a build has room
+// for. A workgroup takes one batch after the other, and has to work with: references (those of its nodes and two for
+// each that is clipped), references that are clipped in a level, references and nodes of a level. Subtrees that outgrow
+// it are built level by level after all. The last two are powers of two.
+CLEAVE_CONST uint kBatchesPerWorker = 16u;
+CLEAVE_CONST uint kMostWorkers = 256u;
+CLEAVE_CONST uint kWorkRefs = 5120u;
+CLEAVE_CONST uint kWorkCuts = 512u;
+CLEAVE_CONST uint kWorkList = 2048u;
+CLEAVE_CONST uint kWorkNodes = 512u;
+
+// Nodes and leaf references that the subtrees of a batch may have.
+CLEAVE_CONST uint kStagedNodes = 2560u;
+CLEAVE_CONST uint kStagedRefs = 1792u;
 
 // Invocations per workgroup of the passes that process one element each.
 CLEAVE_CONST uint kGroup = 64u;

@@ -86,9 +86,9 @@ void main() {
     r.state.level[1].perRefBlock.x = 106u;
     r.state.level[1].perRefBlock.y = 107u;
     r.state.level[1].perRefBlock.z = 108u;
-    r.state.level[1].perRefGroup.x = 109u;
-    r.state.level[1].perRefGroup.y = 110u;
-    r.state.level[1].perRefGroup.z = 111u;
+    r.state.level[1].perBatch.x = 109u;
+    r.state.level[1].perBatch.y = 110u;
+    r.state.level[1].perBatch.z = 111u;
     r.state.level[1].perNodeBlock.x = 112u;
     r.state.level[1].perNodeBlock.y = 113u;
     r.state.level[1].perNodeBlock.z = 114u;

@@ -97,9 +97,9 @@ TEST(Layout, HostFindsWhatTheShaderWrote) {
     EXPECT_EQ(r.state.level[1].perRefBlock.x, 106u);
     EXPECT_EQ(r.state.level[1].perRefBlock.y, 107u);
     EXPECT_EQ(r.state.level[1].perRefBlock.z, 108u);
-    EXPECT_EQ(r.state.level[1].perRefGroup.x, 109u);
-    EXPECT_EQ(r.state.level[1].perRefGroup.y, 110u);
-    EXPECT_EQ(r.state.level[1].perRefGroup.z, 111u);
+    EXPECT_EQ(r.state.level[1].perBatch.x, 109u);
+    EXPECT_EQ(r.state.level[1].perBatch.y, 110u);
+    EXPECT_EQ(r.state.level[1].perBatch.z, 111u);
     EXPECT_EQ(r.state.level[1].perNodeBlock.x, 112u);
     EXPECT_EQ(r.state.level[1].perNodeBlock.y, 113u);
     EXPECT_EQ(r.state.level[1].perNodeBlock.z, 114u);

@@ -150,7 +150,7 @@ std::string BuildPair::differenceAfter(const twin::Pass& pass, uint32_t depth, b
     commands.begin();
     Recorder recorder = context.recorder(commands.handle());
     const BuildPush push{args_.state - at_.state.offset + at_.args.offset, depth, pass.row.scans};
-    const Level once = levelOf(arrays.args.triangleCount, 1, 0, kLongestRow);
+    const Level once = levelOf(arrays.args.triangleCount, 1, 0, 0, 0, kLongestRow);
     bool isLevelPass = false;
     for (const twin::Pass& p : twin::levelPasses()) isLevelPass = isLevelPass || p.run == pass.run;
     DispatchSize size{};
