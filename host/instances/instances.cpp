@@ -27,6 +27,8 @@ Box scaled(const Box& box, int exponent) {
     return {timesPowerOfTwo(box.lo, -exponent), timesPowerOfTwo(box.hi, -exponent)};
 }
 
+constexpr int kLeastShift = -30;
+
 class Placing {
   public:
     explicit Placing(SharedPose& shared) : shared_(shared) {
@@ -41,6 +43,7 @@ class Placing {
 
     Instances run() {
         for (size_t i = 0; i < shared_.places.size(); ++i) place(shared_.places[i], extents_[i]);
+        if (restIsTooSmall()) copyAll();
         gatherRest();
         keepMeshes();
         placeRest();
@@ -73,6 +76,22 @@ class Placing {
         for (uint32_t i = 0; i < shared_.meshes[at.mesh].triangles.size(); ++i) copy(at, i);
         made_.bounds = both(made_.bounds, boundsOf(std::span(copies_).subspan(first)));
         made_.copiedPlaces++;
+    }
+
+    // A rest so small beside the scene that double would not lead into its tree.
+    bool restIsTooSmall() const {
+        const uint32_t reach = std::max(largestReach(shared_.posed.triangles), largestReach(copies_));
+        return reach != 0 && sceneExponent(reach) - made_.exponent < kLeastShift;
+    }
+
+    void copyAll() {
+        placed_.clear();
+        meshOf_.clear();
+        boxes_.clear();
+        copies_.clear();
+        copyNumbers_.clear();
+        made_.copiedPlaces = 0;
+        for (const MeshPlace& at : shared_.places) copy(at);
     }
 
     // Puts copies among the triangles that were never to be placed. Both are in order of their numbers.

@@ -30,7 +30,8 @@ Box DeviceTree::bounds() const {
     return {{header.lo[0], header.lo[1], header.lo[2]}, {header.hi[0], header.hi[1], header.hi[2]}};
 }
 
-std::shared_ptr<DeviceTree> uploadTree(Device& device, const TriangleSet& set, const KdTree& tree) {
+std::shared_ptr<DeviceTree> uploadTree(Device& device, const TriangleSet& set, const KdTree& tree,
+                                       std::span<const uint32_t> numbers) {
     const auto triangles = static_cast<uint32_t>(set.triangles.size());
     const auto nodes = static_cast<uint32_t>(tree.nodes.size());
     const auto leafRefs = static_cast<uint32_t>(tree.leafTriangles.size());
@@ -55,7 +56,9 @@ std::shared_ptr<DeviceTree> uploadTree(Device& device, const TriangleSet& set, c
     made->memory.write(0, &h, sizeof(h));
     std::vector<TreeTriangle> numbered;
     numbered.reserve(triangles);
-    for (uint32_t i = 0; i < triangles; i++) numbered.push_back(treeTriangle(set.triangles[i], i));
+    for (uint32_t i = 0; i < triangles; i++)
+        numbered.push_back(treeTriangle(set.triangles[i], numbers.empty() ? i : numbers[i]));
+    made->isOfList = !numbers.empty();
     made->memory.write(bytesOf(at.triangles), numbered.data(), triangles * sizeof(TreeTriangle));
     made->memory.write(bytesOf(at.nodes), tree.nodes.data(), nodes * sizeof(KdNode));
     made->memory.write(bytesOf(at.leafRefs), tree.leafTriangles.data(), leafRefs * sizeof(uint32_t));

@@ -11,6 +11,10 @@ layout(constant_id = 2) const uint kTriangleTest = 0u;
 #define CLEAVE_TEST kTriangleTest
 #include "cleave.glsl"
 #include "trace_push.glsl"
+// TRACES_INSTANCES: what is traced is a scene of places, and not a tree.
+#ifdef TRACES_INSTANCES
+#include "lib/instances.glsl"
+#endif
 
 // CLEAVE_MORE_PUSH: what a kernel is given beside it.
 #ifndef CLEAVE_MORE_PUSH
@@ -23,6 +27,16 @@ bool has(uint flag) { return (push.flags & flag) != 0u; }
 void count(bool valid, bool finished) {
     if (!valid) atomicAdd(push.counters.at.invalidRays, 1u);
     if (!finished) atomicAdd(push.counters.at.unfinishedRays, 1u);
+}
+
+// Returns false if the ray is given up.
+bool findHit(CleaveRay ray, inout CleaveHit hit, inout CleaveTrail trail, inout CleaveStepCount steps) {
+#ifdef TRACES_INSTANCES
+    searchInstances(PlacedSceneRef(uvec2(push.tree)), ray, kAnyHit, hit, steps);
+    return true;
+#else
+    return cleaveSearch(push.tree, ray, kAnyHit, push.stepLimit, hit, trail, steps);
+#endif
 }
 
 void main() {
@@ -40,7 +54,7 @@ void main() {
     CleaveRay ray = push.rays.at[i];
     bool valid = cleaveIsValidRay(ray);
     bool finished = true;
-    if (valid) finished = cleaveSearch(push.tree, ray, kAnyHit, push.stepLimit, hit, trail, steps);
+    if (valid) finished = findHit(ray, hit, trail, steps);
     if (!valid || !(finished || has(kCleaveTraceTrails))) hit = cleaveMissedHit();
 
     if (has(kCleaveTraceCounters)) count(valid, finished);

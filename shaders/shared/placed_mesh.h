@@ -54,23 +54,14 @@ CLEAVE_SIZE(PlacedScene, 24);
 layout(buffer_reference, scalar, buffer_reference_align = 8) buffer PlacedSceneRef { PlacedScene at; };
 #endif
 
-// A vertex of the mesh's tree in the world, with every bit that the pose of a copied scene gives it.
+// A vertex of the mesh's tree in the scaled world, with every bit that the tree of a copied scene has.
 CLEAVE_FN vec3 placedVertex(PlacedMesh mesh, vec3 vertex) {
-    if (mesh.isWorld != 0u) return vertex;
+    if (mesh.isWorld != 0u) return timesPowerOfTwo(vertex, mesh.shift);
     dvec3 v = dvec3(vertex);
-    return vec3(float(transformedBy(mesh.x.x, mesh.y.x, mesh.z.x, mesh.origin.x, v)),
-                float(transformedBy(mesh.x.y, mesh.y.y, mesh.z.y, mesh.origin.y, v)),
-                float(transformedBy(mesh.x.z, mesh.y.z, mesh.z.z, mesh.origin.z, v)));
-}
-
-// A triangle of the mesh's tree as the tree of a copied scene holds it.
-CLEAVE_FN TreeTriangle placedTriangle(PlacedMesh mesh, TreeTriangle t) {
-    TreeTriangle placed;
-    placed.a = timesPowerOfTwo(placedVertex(mesh, t.a), mesh.shift);
-    placed.b = timesPowerOfTwo(placedVertex(mesh, t.b), mesh.shift);
-    placed.c = timesPowerOfTwo(placedVertex(mesh, t.c), mesh.shift);
-    placed.number = mesh.first + t.number;
-    return placed;
+    vec3 world = vec3(float(transformedBy(mesh.x.x, mesh.y.x, mesh.z.x, mesh.origin.x, v)),
+                      float(transformedBy(mesh.x.y, mesh.y.y, mesh.z.y, mesh.origin.y, v)),
+                      float(transformedBy(mesh.x.z, mesh.y.z, mesh.z.z, mesh.origin.z, v)));
+    return timesPowerOfTwo(world, mesh.shift);
 }
 
 CLEAVE_END

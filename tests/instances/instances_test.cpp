@@ -17,6 +17,10 @@ const double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 bool sameBits(const Triangle& a, const Triangle& b) { return std::memcmp(&a, &b, sizeof(Triangle)) == 0; }
 
+TreeTriangle placedTriangle(const PlacedMesh& place, const TreeTriangle& t) {
+    return {placedVertex(place, t.a), placedVertex(place, t.b), placedVertex(place, t.c), place.first + t.number};
+}
+
 Triangle withoutMinusZero(Triangle t) { return scaledTriangle(t, 0); }
 
 uint32_t indexOfNumber(const Instances& made, uint32_t number) {
@@ -120,6 +124,17 @@ TEST(Instances, CopyWhatCannotBePlaced) {
         EXPECT_EQ(instances.copiedPlaces, copied);
         EXPECT_EQ(instances.rest.size(), 80 * copied + slivers * (3 - copied));
     }
+}
+
+TEST(Instances, CopyAllBesideASpeck) {
+    std::mt19937 random(5);
+    InstancedScene made;
+    std::vector<Triangle> triangles = mixedTriangles(80, 3);
+    for (const uint32_t sliver : shapeOf(triangles).slivers) triangles[sliver] = triangles[0];
+    const uint32_t rock = made.mesh(triangles), speck = made.mesh(mixedTriangles(80, 4));
+    made.node(speck, placeAt({0, 0, 0}, glm::dmat3(1e-12)));
+    for (int i = 0; i < 3; ++i) made.node(rock, placeAt(anyPoint(random, 4.0), anyAxes(random, 1.0)));
+    EXPECT_EQ(expectCopied(made.scene), 0u);
 }
 
 // A mesh with a coordinate that its tree's scale would round away, and one with a vertex that is not finite.

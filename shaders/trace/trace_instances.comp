@@ -1,0 +1,6 @@
+#version 460
+// Traces rays through a scene of places.
+#extension GL_GOOGLE_include_directive : require
+#define TRACES_INSTANCES
+#include "lib/instances_before.glsl"
+#include "lib/trace_main.glsl"

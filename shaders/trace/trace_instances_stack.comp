@@ -1,0 +1,7 @@
+#version 460
+// Traces rays through a scene of places, each tree with a stack per invocation.
+#extension GL_GOOGLE_include_directive : require
+#define TRACES_INSTANCES
+#include "lib/instances_before.glsl"
+#define CLEAVE_TRAVERSAL kCleaveStackTraversal
+#include "lib/trace_main.glsl"
