@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "app/commands.h"
+#include "app/instanced_session.h"
 #include "app/report.h"
 #include "base/text.h"
 #include "figures/timing.h"
@@ -20,7 +21,9 @@ struct Traced {
     std::string told;  // the line about the output
 };
 
-Traced traceHits(Run& run, Session& session, const DeviceTree& tree, const std::vector<Ray>& rays) {
+// `tree`: a DeviceTree of a Session, or the DeviceInstances of an InstancedSession.
+template <typename AnySession, typename Tree>
+Traced traceHits(Run& run, AnySession& session, const Tree& tree, const std::vector<Ray>& rays) {
     const Options& options = run.options;
     const TraceMode mode{options.query, run.traversal(), options.triangleTests.front(), false};
     const Tracer::Result found = run.device.tracer().trace(tree, rays, mode);
@@ -81,6 +84,27 @@ Traced answered(Run& run, Session& session, const DeviceTree& tree, const std::v
     return traceHits(run, session, tree, rays);
 }
 
+void report(Run& run, Json scene, Json build, const Traced& traced) {
+    Json report{{"scene", std::move(scene)}, {"build", std::move(build)}, {"trace", traced.json}};
+    if (run.options.check > 0) report["check"] = checkJson(traced.check);
+    writeReport(run, report);
+}
+
+void traceInstanced(Run& run, InstancedSession session, const std::vector<Ray>& rays) {
+    const BuiltInstances built = session.build(run.options.builders.front());
+    findInTracing(session.needs(), {.query = run.options.query, .traversal = run.traversal(), .instances = true});
+    run.progress.phase("tracing");
+    const Traced traced = traceHits(run, session, built.onDevice, rays);
+    Json build = buildJson(built.sum);
+    build["treeHash"] = nullptr;
+    build["trees"] = built.onDevice.trees.size();
+    build["instances"] = instancesJson(session, built);
+    report(run, sceneJson(session.facts(built)), std::move(build), traced);
+    requireAnswered(traced.cappedRays, traced.check, session.scene().name);
+    run.print(session.needs().line() + instancesLine(session, built) +
+              tracedLine(rays.size(), traced.ms, traced.invalidRays) + traced.told);
+}
+
 }  // namespace
 
 void runTrace(Run& run) {
@@ -88,15 +112,18 @@ void runTrace(Run& run) {
     requireWritable(options.output);
     if (options.json) requireWritable(*options.json);
     const std::vector<Ray> rays = readRays(options.rays);
-    Session session(run, options.scenes.front());
+    LoadedScene loaded = loadScene(run, options.scenes.front());
+    if (const auto sharing = sharingFor(run, loaded.scene))
+        return traceInstanced(run, InstancedSession(run, std::move(loaded), *sharing), rays);
+    Session session(run, std::move(loaded));
     BuiltTree built = session.build(session.chosenBuilder(false));
     const DeviceTree& tree = session.upload(built);
     findInTracing(session.needs(), {options.query, run.traversal()});
     const Traced traced = answered(run, session, tree, rays);
 
-    Json report{{"scene", sceneJson(session)}, {"build", buildJson(built)}, {"trace", traced.json}};
-    if (options.check > 0) report["check"] = checkJson(traced.check);
-    writeReport(run, report);
+    Json build = buildJson(built);
+    build["trees"] = 1;
+    report(run, sceneJson(session), std::move(build), traced);
     requireAnswered(traced.cappedRays, traced.check, session.scene().name);
     run.print(session.needs().line() + builtLine(built) + tracedLine(rays.size(), traced.ms, traced.invalidRays) +
               traced.told);

@@ -35,6 +35,9 @@ struct FrameRange {
     bool skipExisting = false;
 };
 
+// Whether meshes that stand in many places have one tree each; automatic: where that saves memory.
+enum class InstanceChoice { automatic, on, off };
+
 // What --animation says for all of them.
 inline constexpr std::string_view kAllAnimations = "all";
 
@@ -52,6 +55,7 @@ struct Options {
     BuildSettings settings;
     std::optional<std::filesystem::path> tree;      // a saved one, instead of building
     std::optional<std::filesystem::path> saveTree;  // info: where to keep what was built
+    InstanceChoice instances = InstanceChoice::automatic;
     NeedSet keep;                                   // not left out, though nothing needs it
     std::string device;
     uint64_t check = 0;  // rays of a run to be judged

@@ -38,6 +38,7 @@ void addTrace(CLI::App& app, Options& options) {
     addBuild(app, options, false);
     addTree(app, options);
     addTraversal(app, options, false);
+    addInstances(app, options);
     CLI::Option* const own[] = {any, all, count};
     for (CLI::Option* one : own)
         for (CLI::Option* other : own)

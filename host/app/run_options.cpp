@@ -3,6 +3,12 @@
 #include "app/option_kinds.h"
 
 namespace cleave {
+namespace {
+
+constexpr std::array<std::pair<const char*, InstanceChoice>, 3> kInstanceChoices = {
+    {{"auto", InstanceChoice::automatic}, {"on", InstanceChoice::on}, {"off", InstanceChoice::off}}};
+
+}  // namespace
 
 // One scene. (A list limited to one would take the next argument too, and complain.)
 void addScene(CLI::App& app, Options& options, const std::string& text, bool needed) {
@@ -29,6 +35,11 @@ void addTree(CLI::App& app, Options& options) {
     app.add_option("--tree", options.tree, "walk a tree that info --save-tree kept, instead of building one")
         ->type_name("FILE")
         ->excludes("--builder");
+}
+
+void addInstances(CLI::App& app, Options& options) {
+    addNamed(app, "--instances", "one tree for a mesh that stands in many places; auto: where it saves memory",
+             options.instances, kInstanceChoices);
 }
 
 void addKeepAll(CLI::App& app, Options& options) {

@@ -13,6 +13,7 @@ CLI::Option* addTime(CLI::App& app, Options& options);
 void addMachine(CLI::App& app, Options& options);
 // After addBuild(): a saved tree has been built.
 void addTree(CLI::App& app, Options& options);
+void addInstances(CLI::App& app, Options& options);
 void addKeepAll(CLI::App& app, Options& options);
 void addTraversal(CLI::App& app, Options& options, bool several);
 void addOutput(CLI::App& app, Options& options);

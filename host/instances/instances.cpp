@@ -63,6 +63,7 @@ class Placing {
         meshOf_.push_back(at.mesh);
         boxes_.push_back(box);
         made_.bounds = both(made_.bounds, extent.box);
+        made_.noArea += shape.noArea;
         for (const uint32_t sliver : shape.slivers) copy(at, sliver);
     }
 
@@ -91,6 +92,7 @@ class Placing {
         copies_.clear();
         copyNumbers_.clear();
         made_.copiedPlaces = 0;
+        made_.noArea = 0;
         for (const MeshPlace& at : shared_.places) copy(at);
     }
 

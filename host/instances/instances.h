@@ -24,6 +24,7 @@ struct Instances {
     std::vector<PlacedMesh> places;
     std::vector<uint32_t> treeOf;
     std::vector<PlaceNode> nodes;
+    size_t noArea = 0;        // triangles of places that have no area, whatever the place
     size_t copiedPlaces = 0;  // of meshes that cannot be placed there
 };
 

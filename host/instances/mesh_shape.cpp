@@ -29,9 +29,7 @@ vec3 inPlace(const glm::dmat4& m, const vec3& v) {
     return {row(0), row(1), row(2)};
 }
 
-bool isSliver(const Triangle& t, int exponent) {
-    return t.a != t.b && t.b != t.c && t.c != t.a && liesOnALine(scaledTriangle(t, -exponent));
-}
+bool hasTwoVertices(const Triangle& t) { return t.a == t.b || t.b == t.c || t.c == t.a; }
 
 }  // namespace
 
@@ -46,8 +44,12 @@ MeshShape shapeOf(std::span<const Triangle> triangles) {
     shape.exponent = sceneExponent(reach);
     for (const vec3& v : shape.vertices)
         for (int axis = 0; axis < 3; ++axis) shape.isKept = shape.isKept && keepsBits(v[axis], shape.exponent);
-    for (uint32_t i = 0; shape.isKept && i < triangles.size(); ++i)
-        if (isSliver(triangles[i], shape.exponent)) shape.slivers.push_back(i);
+    for (uint32_t i = 0; shape.isKept && i < triangles.size(); ++i) {
+        if (hasTwoVertices(triangles[i]))
+            shape.noArea++;
+        else if (liesOnALine(scaledTriangle(triangles[i], -shape.exponent)))
+            shape.slivers.push_back(i);
+    }
     return shape;
 }
 

@@ -18,6 +18,7 @@ struct MeshShape {
     // Triangles whose vertices differ and lie on a line. The mesh's tree is without them, but once they are placed and
     // rounded they may have an area.
     std::vector<uint32_t> slivers;
+    size_t noArea = 0;  // triangles that have none wherever they are placed: two vertices are one
 };
 MeshShape shapeOf(std::span<const Triangle> triangles);
 

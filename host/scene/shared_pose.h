@@ -36,8 +36,8 @@ struct Sharing {
 
 // Finds the meshes that stand in several places and always have the same shape: without morph targets, and where
 // positions are floats, or whole numbers, which floats hold. (Normalised ones are quotients in double.) Places of nodes
-// with a skin do not count. A mesh of a few triangles is not worth it.
-Sharing sharingOf(const Scene& scene, size_t mostTriangles = kMostTriangles);
+// with a skin do not count, nor do meshes with fewer triangles than `fewest`.
+Sharing sharingOf(const Scene& scene, size_t fewest, size_t mostTriangles = kMostTriangles);
 
 // Poses as pose() does, with the same numbers and warnings; of triangles that are not finite it does not warn.
 SharedPose poseShared(const Scene& scene, const PoseTime& time, const Sharing& sharing,

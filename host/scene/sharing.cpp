@@ -8,10 +8,6 @@
 namespace cleave {
 namespace {
 
-// A place takes 264 bytes on the device, a copied triangle some 150 with its part of the tree. With fewer triangles
-// than these a ray spends more on getting into the space of a mesh than on its tree.
-constexpr size_t kFewestTriangles = 64;
-
 bool areFloats(const gltf::Accessor& accessor) {
     return !accessor.normalized && accessor.componentType != gltf::ComponentType::uint32;
 }
@@ -33,7 +29,7 @@ size_t trianglesOf(const Scene& scene, const gltf::Mesh& mesh) {
 
 }  // namespace
 
-Sharing sharingOf(const Scene& scene, size_t mostTriangles) {
+Sharing sharingOf(const Scene& scene, size_t fewest, size_t mostTriangles) {
     Sharing sharing;
     sharing.triangles = countTriangles(scene, mostTriangles);  // which also bounds the products below
     std::vector<size_t> places(scene.meshes.size(), 0);
@@ -44,7 +40,7 @@ Sharing sharingOf(const Scene& scene, size_t mostTriangles) {
     for (size_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
         const size_t triangles = trianglesOf(scene, scene.meshes[mesh]);
         const bool isShared =
-            places[mesh] >= 2 && triangles >= kFewestTriangles && keepsItsShape(scene, scene.meshes[mesh]);
+            places[mesh] >= 2 && triangles >= std::max<size_t>(fewest, 1) && keepsItsShape(scene, scene.meshes[mesh]);
         sharing.meshes.push_back(isShared);
         if (isShared) sharing.copies += (places[mesh] - 1) * triangles;
     }

@@ -32,7 +32,7 @@ uint32_t indexOfNumber(const Instances& made, uint32_t number) {
 // tree; returns how many are in places.
 size_t expectCopied(const Scene& scene) {
     const PosedScene copied = pose(scene);
-    SharedPose shared = poseShared(scene, {}, sharingOf(scene));
+    SharedPose shared = poseShared(scene, {}, sharingOf(scene, 64));
     EXPECT_EQ(shared.triangles, copied.triangles.size());
     EXPECT_EQ(shared.posed.warnings.size() + (nonFiniteWarning(copied.triangles) ? 1 : 0), copied.warnings.size());
     EXPECT_EQ(shared.posed.meshes.size(), copied.meshes.size());
@@ -117,7 +117,7 @@ TEST(Instances, CopyWhatCannotBePlaced) {
         one.node(rock, bad[i]);
         one.node(rock, placeAt({-1, 2, 3}, axes));
         EXPECT_EQ(expectCopied(one.scene) > 0, i != 3);
-        SharedPose shared = poseShared(one.scene, {}, sharingOf(one.scene));
+        SharedPose shared = poseShared(one.scene, {}, sharingOf(one.scene, 64));
         const Instances instances = instancesOf(shared);
         const size_t copied = i == 3 ? 3 : 1;  // beside the largest of all floats the others are points
         const size_t slivers = shapeOf(mixedTriangles(80, 3)).slivers.size();
@@ -163,7 +163,7 @@ TEST(Instances, CopySlivers) {
     const PosedScene copied = pose(made.scene);
     const TriangleSet set = makeTriangleSet(copied.triangles);
     EXPECT_LT(set.noArea, 16u);  // so that there was something to lose
-    SharedPose shared = poseShared(made.scene, {}, sharingOf(made.scene));
+    SharedPose shared = poseShared(made.scene, {}, sharingOf(made.scene, 64));
     const std::vector<uint32_t> slivers = shapeOf(triangles).slivers;
     EXPECT_TRUE(std::binary_search(slivers.begin(), slivers.end(), 10u));
     EXPECT_FALSE(std::binary_search(slivers.begin(), slivers.end(), 20u));
@@ -182,7 +182,7 @@ TEST(Instances, ShareWhatKeepsItsShape) {
     for (const uint32_t mesh : {moving, quotients, whole, small})
         for (int i = 0; i < 3; ++i) made.node(mesh, glm::dmat4(1.0));
     made.node(once, glm::dmat4(1.0));
-    const Sharing sharing = sharingOf(made.scene);
+    const Sharing sharing = sharingOf(made.scene, 64);
     EXPECT_EQ(sharing.meshes, (std::vector<bool>{false, false, true, false, false}));
     EXPECT_EQ(sharing.copies, 160u);
     EXPECT_EQ(sharing.triangles, 3u * 250 + 80);

@@ -31,7 +31,7 @@ Both bothOf(const Scene& scene, GpuBuilder* builder = nullptr) {
     both.world = pose(scene).triangles;
     both.set = makeTriangleSet(both.world);
     both.copied = uploadTree(device(), both.set, buildExact(both.set, BuildSettings{}));
-    SharedPose shared = poseShared(scene, {}, sharingOf(scene));
+    SharedPose shared = poseShared(scene, {}, sharingOf(scene, 64));
     const Instances made = instancesOf(shared);
     std::vector<std::shared_ptr<DeviceTree>> trees;
     const auto add = [&](const std::vector<Triangle>& triangles, std::span<const uint32_t> numbers) {
