@@ -1,5 +1,6 @@
 #include "app/commands.h"
 #include "app/picture_of.h"
+#include "app/render_instances.h"
 #include "app/report.h"
 #include "base/error.h"
 #include "figures/legend.h"
@@ -22,7 +23,10 @@ void runRender(Run& run) {
     requireWritable(options.output);
     if (options.json) requireWritable(*options.json);
     const Detail detail = showsSurfaces(options.view) ? Detail::corners : Detail::triangles;
-    Session session(run, options.scenes.empty() ? defaultScene() : options.scenes.front(), detail);
+    LoadedScene loaded = loadScene(run, options.scenes.empty() ? defaultScene() : options.scenes.front());
+    if (const auto sharing = sharingFor(run, loaded.scene))
+        return renderInstances(run, InstancedSession(run, std::move(loaded), *sharing));
+    Session session(run, std::move(loaded), detail);
     const DeviceSurfaces surfaces = session.surfacesOnDevice(options.view);
     BuiltTree built = session.build(session.chosenBuilder(countsSteps(options.view)));
     const DeviceTree& tree = session.upload(built);

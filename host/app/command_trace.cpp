@@ -95,11 +95,7 @@ void traceInstanced(Run& run, InstancedSession session, const std::vector<Ray>& 
     findInTracing(session.needs(), {.query = run.options.query, .traversal = run.traversal(), .instances = true});
     run.progress.phase("tracing");
     const Traced traced = traceHits(run, session, built.onDevice, rays);
-    Json build = buildJson(built.sum);
-    build["treeHash"] = nullptr;
-    build["trees"] = built.onDevice.trees.size();
-    build["instances"] = instancesJson(session, built);
-    report(run, sceneJson(session.facts(built)), std::move(build), traced);
+    report(run, sceneJson(session.facts(built)), instancesBuildJson(session, built), traced);
     requireAnswered(traced.cappedRays, traced.check, session.scene().name);
     run.print(session.needs().line() + instancesLine(session, built) +
               tracedLine(rays.size(), traced.ms, traced.invalidRays) + traced.told);

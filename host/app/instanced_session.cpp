@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/hash.h"
 #include "base/stopwatch.h"
 #include "base/text.h"
 #include "facade/host_builders.h"
@@ -15,15 +16,6 @@ namespace {
 constexpr size_t kFewestCopies = size_t(1) << 16;
 // Nor is it worth it to go into the space of a mesh for less.
 constexpr size_t kFewestTriangles = 64;
-
-// Why the run cannot do without copies, whatever the scene.
-std::optional<std::string> needForCopies(const Options& options) {
-    if (options.tree) return "--tree names a single tree";
-    if (options.query != Query::closest && options.query != Query::any)
-        return "all hits, and counts of them, are found in a single tree";
-    if (options.keep.any()) return "--keep-all leaves nothing out, copies included";
-    return std::nullopt;
-}
 
 void add(TreeStatistics& sum, const TreeStatistics& s) {
     sum.nodes += s.nodes;
@@ -42,16 +34,14 @@ void add(TreeStatistics& sum, const TreeStatistics& s) {
 std::optional<Sharing> sharingFor(const Run& run, const Scene& scene) {
     const InstanceChoice choice = run.options.instances;
     if (choice == InstanceChoice::off) return std::nullopt;
-    const std::optional<std::string> why = needForCopies(run.options);
     if (choice == InstanceChoice::on) {
-        if (why) throw Error("--instances on: there can be none, since " + *why + "; leave it out");
         Sharing all = sharingOf(scene, 1);
         if (all.copies == 0)
             throw Error("--instances on: no mesh of '" + scene.name +
                         "' that keeps its shape stands in two places; leave it out");
         return all;
     }
-    if (why) return std::nullopt;
+    if (needForCopies(run.options)) return std::nullopt;
     Sharing large = sharingOf(scene, kFewestTriangles);
     if (large.copies < kFewestCopies || 2 * large.copies < large.triangles) return std::nullopt;
     return large;
@@ -64,9 +54,15 @@ InstancedSession::InstancedSession(Run& run, LoadedScene loaded, const Sharing& 
     if (run.options.time) time_ = {*run.options.time, animations};
     run_.progress.phase("posing");
     const Stopwatch watch;
-    SharedPose shared = poseShared(scene_, time_, sharing);
-    instances_ = instancesOf(shared);
-    posed_ = std::move(shared.posed);
+    const auto placedAt = [&](const PoseTime& time) {
+        SharedPose shared = poseShared(scene_, time, sharing);
+        Instances placed = instancesOf(shared);
+        posed_ = std::move(shared.posed);
+        return placed;
+    };
+    if (run.options.command == Command::render && run.options.time) restBounds_ = placedAt({}).bounds;
+    instances_ = placedAt(time_);
+    if (!run.options.time) restBounds_ = instances_.bounds;
     poseMs_ = watch.milliseconds();
     warnOnce(posed_.warnings);
     if (const auto warning = nonFiniteWarning(instances_.rest, instances_.restNumbers)) warnOnce({*warning});
@@ -118,12 +114,14 @@ BuiltInstances InstancedSession::build(Builder builder) {
     all.noArea = instances_.noArea;
     std::vector<std::shared_ptr<DeviceTree>> trees;
     uint64_t bytes = 0;
+    Hash hash;
     const auto take = [&](BuiltTree built) {
         all.sum.ms += built.ms;
         all.sum.peakBytes = std::max(all.sum.peakBytes, bytes + built.peakBytes);
         all.sum.memoryLimited = all.sum.memoryLimited || built.memoryLimited;
         all.sum.attempts = std::max(all.sum.attempts, built.attempts);
         add(all.sum.statistics, built.statistics);
+        for (const char digit : treeHash(built.tree)) hash.add(static_cast<uint32_t>(digit));
         bytes += built.onDevice->memory.size();
         trees.push_back(std::move(built.onDevice));
     };
@@ -134,6 +132,7 @@ BuiltInstances InstancedSession::build(Builder builder) {
         all.noArea += trees.back()->header.noArea;
     }
     all.sum.runs = {all.sum.ms};
+    all.sum.hash = hash.text();
     all.onDevice = placeTrees(run_.device.device(), std::move(trees), instances_.nodes, instances_.places,
                               instances_.treeOf, instances_.exponent);
     run_.progress.clear();
@@ -153,11 +152,17 @@ CheckResult InstancedSession::check(std::span<const Ray> rays, std::span<const H
     return result;
 }
 
-Json instancesJson(const InstancedSession& session, const BuiltInstances& built) {
+Json instancesBuildJson(const InstancedSession& session, const BuiltInstances& built) {
     const Instances& made = session.instances();
-    return {{"meshes", made.meshes.size()},      {"places", made.places.size() - (made.rest.empty() ? 0 : 1)},
-            {"copiedPlaces", made.copiedPlaces}, {"placedTriangles", session.placedTriangles()},
-            {"restTriangles", made.rest.size()}, {"bytes", built.onDevice.bytes()}};
+    Json build = buildJson(built.sum);
+    build["trees"] = built.onDevice.trees.size();
+    build["instances"] = {{"meshes", made.meshes.size()},
+                          {"places", static_cast<size_t>(std::ranges::count(made.places, 0u, &PlacedMesh::isWorld))},
+                          {"copiedPlaces", made.copiedPlaces},
+                          {"placedTriangles", session.placedTriangles()},
+                          {"restTriangles", made.rest.size()},
+                          {"bytes", built.onDevice.bytes()}};
+    return build;
 }
 
 std::string instancesLine(const InstancedSession& session, const BuiltInstances& built) {

@@ -28,6 +28,8 @@ class InstancedSession {
     InstancedSession(Run& run, LoadedScene loaded, const Sharing& sharing);
 
     const Scene& scene() const { return scene_; }
+    const PosedScene& posed() const { return posed_; }  // all but the triangles
+    const Box& restBounds() const { return restBounds_; }
     Needs& needs() { return needs_; }
     const Instances& instances() const { return instances_; }
     size_t placedTriangles() const { return instances_.triangles - instances_.rest.size(); }
@@ -46,7 +48,8 @@ class InstancedSession {
     Scene scene_;
     PoseTime time_;
     std::set<std::string> warned_;
-    PosedScene posed_;  // all but the triangles
+    PosedScene posed_;
+    Box restBounds_ = emptyBox();
     Instances instances_;
     double loadMs_ = 0.0;
     double poseMs_ = 0.0;
@@ -56,8 +59,8 @@ class InstancedSession {
 // and there can be none.
 std::optional<Sharing> sharingFor(const Run& run, const Scene& scene);
 
-// What is told of the places.
-Json instancesJson(const InstancedSession& session, const BuiltInstances& built);
+// What is told of the trees and the places.
+Json instancesBuildJson(const InstancedSession& session, const BuiltInstances& built);
 std::string instancesLine(const InstancedSession& session, const BuiltInstances& built);
 
 }  // namespace cleave

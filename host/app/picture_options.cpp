@@ -96,6 +96,7 @@ void addRender(CLI::App& app, Options& options) {
     addTree(app, options);
     app.get_option("--tree")->excludes("--frames");
     addTraversal(app, options, false);
+    addInstances(app, options);
     addKeepAll(app, options);
     addOutput(app, options);
 }

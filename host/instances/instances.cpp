@@ -21,6 +21,17 @@ Box boundsOf(std::span<const Triangle> triangles) {
     return bounds;
 }
 
+// Of those that a tree with this scale is built over.
+Box boundsOfIncluded(std::span<const Triangle> triangles, int exponent) {
+    Box bounds = emptyBox();
+    for (const Triangle& world : triangles) {
+        if (!isFiniteTriangle(world)) continue;
+        const Triangle t = scaledTriangle(world, -exponent);
+        if (!liesOnALine(t)) bounds = including(including(including(bounds, t.a), t.b), t.c);
+    }
+    return bounds;
+}
+
 Box both(const Box& a, const Box& b) { return isEmpty(b) ? a : including(including(a, b.lo), b.hi); }
 
 Box scaled(const Box& box, int exponent) {
@@ -56,13 +67,14 @@ class Placing {
         const MeshShape& shape = shapes_[at.mesh];
         const Box box = scaled(extent.box, made_.exponent);
         std::optional<PlacedMesh> placed;
-        if (shape.isKept && extent.isPlain) placed = placeMesh(at.toWorld, shape.exponent, made_.exponent, box);
+        if (shape.isKept && extent.isPlain && !shape.vertices.empty())
+            placed = placeMesh(at.toWorld, shape.exponent, made_.exponent, box);
         if (!placed) return copy(at);
         placed->first = at.first;
         placed_.push_back(*placed);
         meshOf_.push_back(at.mesh);
         boxes_.push_back(box);
-        made_.bounds = both(made_.bounds, extent.box);
+        made_.bounds = both(made_.bounds, extent.all);
         made_.noArea += shape.noArea;
         for (const uint32_t sliver : shape.slivers) copy(at, sliver);
     }
@@ -125,11 +137,11 @@ class Placing {
     }
 
     void placeRest() {
-        const Box bounds = boundsOf(made_.rest);
+        const Box bounds = boundsOfIncluded(made_.rest, made_.exponent);
         if (isEmpty(bounds)) return;
         placed_.push_back(placeWorld(sceneExponent(largestReach(made_.rest)), made_.exponent));
         meshOf_.push_back(uint32_t(made_.meshes.size()));
-        boxes_.push_back(scaled(bounds, made_.exponent));
+        boxes_.push_back(bounds);
     }
 
     void grow() {

@@ -11,7 +11,8 @@
 namespace cleave {
 
 struct MeshShape {
-    std::vector<vec3> vertices;  // each position of its triangles once
+    std::vector<vec3> vertices;  // each position of its triangles that have an area, once
+    std::vector<vec3> others;    // of those that have none
     int exponent = 0;            // of its tree: mesh = tree 2^exponent
     // Finite, and none too small for a float in the scale of the tree, beside the largest: bits would be lost.
     bool isKept = true;
@@ -27,7 +28,8 @@ Triangle inPlace(const glm::dmat4& toWorld, const Triangle& t);
 
 // Where the vertices of a mesh are in a place.
 struct PlacedExtent {
-    Box box = emptyBox();
+    Box box = emptyBox();  // of those of triangles that have an area
+    Box all = emptyBox();
     uint32_t reach = 0;  // the largest reachOf()
     // Finite, and none is below twice the smallest normal number but 0, where devices round in their own ways.
     bool isPlain = true;

@@ -180,7 +180,7 @@ class PictureRecording {
     TraceInfo traced(const Place& rays, const Place& hits, const Place& trails, uint32_t first, const TraceMode& mode,
                      bool resumes) const {
         TraceInfo trace;
-        trace.tree = info_.tree;
+        trace.tree = info_.places != 0 ? info_.places : info_.tree;
         trace.rays = from<Ray>(rays, first);
         trace.hits = from<Hit>(hits, first);
         if (counts_.trails > 0) trace.trails = from<Trail>(trails, first);

@@ -46,6 +46,9 @@ enum class PictureRays { primary, bounce, shadow };
 
 struct PictureInfo {
     VkDeviceAddress tree = 0;
+    // Of a PlacedScene: rays go through this, and of the tree only its bounds and scale count. For views that show
+    // nothing of triangles: depth, steps and leaves.
+    VkDeviceAddress places = 0;
     VkDeviceAddress triangles = 0;  // 36 bytes each: the vertices in world space, by number
     SurfaceAddresses surfaces;
     VkDeviceAddress lights = 0;    // LightSource of shared/light.h, settings.lightCount of them, for paths
@@ -73,13 +76,13 @@ struct PictureInfo {
     }
     PictureParts parts() const {
         PictureParts p = partsOf(static_cast<uint32_t>(view));
-        p.trails = kept.trails || mayGoOn({Query::closest, traversal, test, false});
+        p.trails = kept.trails || mayGoOn({Query::closest, traversal, test, false, places != 0});
         p.steps = p.steps || kept.steps;
         p.shadows = p.shadows || kept.shadows;
         p.emitters = kept.emitters || settings.emitters.slots > 0;
         return p;
     }
-    TraceMode primaryMode() const { return {Query::closest, traversal, test, parts().steps}; }
+    TraceMode primaryMode() const { return {Query::closest, traversal, test, parts().steps, places != 0}; }
     TraceMode shadowMode() const { return {Query::any, traversal, test, false}; }
 };
 

@@ -1,5 +1,7 @@
 #include "run/device_instances.h"
 
+#include <cstring>
+
 namespace cleave {
 
 uint64_t DeviceInstances::bytes() const {
@@ -12,17 +14,23 @@ DeviceInstances placeTrees(Device& device, std::vector<std::shared_ptr<DeviceTre
                            std::span<const PlaceNode> nodes, std::vector<PlacedMesh> places,
                            std::span<const uint32_t> treeOf, int exponent) {
     for (size_t i = 0; i < places.size(); i++) places[i].tree = trees[treeOf[i]]->address();
-    const uint64_t atNodes = sizeof(PlacedScene), atPlaces = atNodes + nodes.size_bytes();
+    const uint64_t atNodes = sizeof(TreeHeader) + sizeof(PlacedScene), atPlaces = atNodes + nodes.size_bytes();
     const uint64_t placeBytes = places.size() * sizeof(PlacedMesh);
     DeviceInstances made;
     made.trees = std::move(trees);
     made.memory = Buffer(device, atPlaces + placeBytes);
     PlacedScene scene{};
-    scene.nodes = made.address() + atNodes;
-    scene.meshes = made.address() + atPlaces;
+    scene.nodes = made.headerAddress() + atNodes;
+    scene.meshes = made.headerAddress() + atPlaces;
     scene.count = static_cast<uint32_t>(places.size());
     scene.exponent = exponent;
-    made.memory.write(0, &scene, sizeof(scene));
+    TreeHeader header{};
+    header.exponent = exponent;
+    const Box bounds = nodes.empty() ? emptyBox() : nodes[0].box;
+    std::memcpy(header.lo, &bounds.lo, sizeof(header.lo));
+    std::memcpy(header.hi, &bounds.hi, sizeof(header.hi));
+    made.memory.write(0, &header, sizeof(header));
+    made.memory.write(sizeof(header), &scene, sizeof(scene));
     made.memory.write(atNodes, nodes.data(), nodes.size_bytes());
     made.memory.write(atPlaces, places.data(), placeBytes);
     return made;

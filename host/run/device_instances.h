@@ -12,9 +12,12 @@ namespace cleave {
 
 struct DeviceInstances {
     std::vector<std::shared_ptr<DeviceTree>> trees;  // each once
-    Buffer memory;                                   // PlacedScene, nodes, places
+    Buffer memory;                                   // TreeHeader, PlacedScene, nodes, places
 
-    uint64_t address() const { return memory.address(); }
+    // Of the PlacedScene.
+    uint64_t address() const { return memory.address() + sizeof(TreeHeader); }
+    // Of a header that has the bounds and the scale of a copied scene's tree, and no tree.
+    uint64_t headerAddress() const { return memory.address(); }
     // Of all of it.
     uint64_t bytes() const;
 };

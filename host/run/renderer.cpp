@@ -186,6 +186,18 @@ Renderer::~Renderer() = default;
 Picture Renderer::render(const DeviceTree& tree, const DeviceTriangles& triangles, const DeviceSurfaces& surfaces,
                          const PictureRequest& request) {
     begin(tree, triangles, surfaces, request);
+    return finish(request);
+}
+
+Picture Renderer::render(const DeviceInstances& instances, const PictureRequest& request) {
+    PictureInfo scene;
+    scene.tree = instances.headerAddress();
+    scene.places = instances.address();
+    begin(scene, request);
+    return finish(request);
+}
+
+Picture Renderer::finish(const PictureRequest& request) {
     while (samplesTaken() < request.samples) {
         while (!takeSlice()) continue;
         if (request.goesOn && !request.goesOn(samplesTaken())) break;
@@ -195,11 +207,16 @@ Picture Renderer::render(const DeviceTree& tree, const DeviceTriangles& triangle
 
 void Renderer::begin(const DeviceTree& tree, const DeviceTriangles& triangles, const DeviceSurfaces& surfaces,
                      const PictureRequest& request) {
+    PictureInfo scene;
+    scene.tree = tree.address();
+    scene.triangles = triangles.triangles.address();
+    scene.surfaces = surfaces.addresses();
+    begin(scene, request);
+}
+
+void Renderer::begin(const PictureInfo& scene, const PictureRequest& request) {
     State& s = *state_;
-    PictureInfo& info = s.info = {};
-    info.tree = tree.address();
-    info.triangles = triangles.triangles.address();
-    info.surfaces = surfaces.addresses();
+    PictureInfo& info = s.info = scene;
     info.camera = request.camera;
     info.view = request.view;
     info.samples = request.samples;
