@@ -3,7 +3,7 @@
 // are those of a copied scene to the last bit. Only the walk goes by the ray in the mesh's space, and must not pass over
 // a cell because of what was rounded on the way there: see placedRay().
 //
-// A kernel includes lib/instances_before.glsl, then cleave.glsl, then this.
+// A kernel includes lib/instances_before.glsl, then cleave.glsl, then this. It defines WALK, its way down a tree.
 
 const double kDoubleSlack = 8.8817841970012523e-16LF;  // 2^-50
 const float kFloatSlack = 2.384185791015625e-07;       // 2^-22
@@ -89,7 +89,7 @@ void searchPlace(PlacedMesh mesh, int exponent, CleaveScaledRay ray, float tMin,
     CleaveTreeParts parts = cleavePartsOf(CleaveTree(uvec2(mesh.tree)));
     CleaveBest best = cleaveBestOf(found, ray);
     CleaveTrail trail = cleaveEmptyTrail();
-    cleaveTraverse(parts, ray, anyHit, 0xFFFFFFFFu, best, trail, steps);
+    WALK(parts, ray, anyHit, best, trail, steps);
     if (best.index != kCleaveNone) found = cleaveHitOf(parts, ray, best);
 }
 

@@ -23,17 +23,6 @@ const uint kStackTraversal = 2u;
 #define CLEAVE_STEP_LIMIT (1u << 30)
 #endif
 
-// The walk that CLEAVE_TRAVERSAL names, as traverseRestart() has it.
-bool traverse(TreeParts tree, ScaledRay ray, bool anyHit, uint stepLimit, inout Best best, inout Trail trail,
-              inout StepCount steps) {
-    if (CLEAVE_TRAVERSAL == kShortStackTraversal)
-        return traverseShortStack(tree, ray, anyHit, stepLimit, best, trail, steps);
-    if (CLEAVE_TRAVERSAL == kRestartTraversal)
-        return traverseRestart(tree, ray, anyHit, stepLimit, best, trail, steps);
-    traverseStack(tree, ray, anyHit, best, steps);
-    return true;
-}
-
 // Goes on from `hit`, which stays unless the tree has a closer one, and from `trail`, which is empty at first. For
 // any-hit queries a given hit is the answer. The ray must be valid. Returns false if the ray is given up at the limit;
 // called again with what it left in `hit` and `trail`, it goes on as if it had not been interrupted.
@@ -42,7 +31,11 @@ bool search(Tree tree, Ray ray, bool anyHit, uint stepLimit, inout Hit hit, inou
     TreeParts parts = partsOf(tree);
     ScaledRay scaled = scaledRay(ray, tree.at.exponent);
     Best best = bestOf(scaledHit(hit, scaled.tExponent), scaled);
-    bool finished = traverse(parts, scaled, anyHit, stepLimit, best, trail, steps);
+    bool finished = true;
+    if (CLEAVE_TRAVERSAL == kStackTraversal) traverseStack(parts, scaled, anyHit, best, steps);
+    else if (CLEAVE_TRAVERSAL == kShortStackTraversal)
+        finished = traverseShortStack(parts, scaled, anyHit, stepLimit, best, trail, steps);
+    else finished = traverseRestart(parts, scaled, anyHit, stepLimit, best, trail, steps);
     // A hit that stays is not converted back: scaling may have moved its t out of the range of floats.
     if (best.index != kNone) hit = worldHit(hitOf(parts, scaled, best), scaled.tExponent);
     return finished;

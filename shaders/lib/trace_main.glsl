@@ -29,16 +29,6 @@ void count(bool valid, bool finished) {
     if (!finished) atomicAdd(push.counters.at.unfinishedRays, 1u);
 }
 
-// Returns false if the ray is given up.
-bool findHit(CleaveRay ray, inout CleaveHit hit, inout CleaveTrail trail, inout CleaveStepCount steps) {
-#ifdef TRACES_INSTANCES
-    searchInstances(PlacedSceneRef(uvec2(push.tree)), ray, kAnyHit, hit, steps);
-    return true;
-#else
-    return cleaveSearch(push.tree, ray, kAnyHit, push.stepLimit, hit, trail, steps);
-#endif
-}
-
 void main() {
     uint i = groupIndex() * kGroup + gl_LocalInvocationID.x;
     if (i >= push.rayCount) return;
@@ -54,7 +44,11 @@ void main() {
     CleaveRay ray = push.rays.at[i];
     bool valid = cleaveIsValidRay(ray);
     bool finished = true;
-    if (valid) finished = findHit(ray, hit, trail, steps);
+#ifdef TRACES_INSTANCES
+    if (valid) searchInstances(PlacedSceneRef(uvec2(push.tree)), ray, kAnyHit, hit, steps);
+#else
+    if (valid) finished = cleaveSearch(push.tree, ray, kAnyHit, push.stepLimit, hit, trail, steps);
+#endif
     if (!valid || !(finished || has(kCleaveTraceTrails))) hit = cleaveMissedHit();
 
     if (has(kCleaveTraceCounters)) count(valid, finished);

@@ -3,5 +3,6 @@
 #extension GL_GOOGLE_include_directive : require
 #define TRACES_INSTANCES
 #include "lib/instances_before.glsl"
-#define CLEAVE_TRAVERSAL kCleaveShortStackTraversal
+#define WALK(tree, ray, anyHit, best, trail, steps) \
+    cleaveTraverseShortStack(tree, ray, anyHit, 0xFFFFFFFFu, best, trail, steps)
 #include "lib/trace_main.glsl"

@@ -3,5 +3,6 @@
 #extension GL_GOOGLE_include_directive : require
 #define TRACES_INSTANCES
 #include "lib/instances_before.glsl"
-#define CLEAVE_TRAVERSAL kCleaveStackTraversal
+#define WALK(tree, ray, anyHit, best, trail, steps) \
+    cleaveTraverseStack(tree, ray, anyHit, best, steps)
 #include "lib/trace_main.glsl"
