@@ -44,7 +44,7 @@ TEST(InstancesOfPrograms, TraceAndShowTheSame) {
     const TemporaryFolder folder;
     put(folder / "s.gltf", threeTimes());
     putRays(folder / "rays.npy");
-    for (const std::string& how : {"on", "off"}) {
+    for (const std::string how : {"on", "off"}) {
         const Outcome traced =
             runCleave({"trace", folder / "s.gltf", folder / "rays.npy", "-o", folder / (how + ".npy"), "--instances",
                        how, "--json", folder / (how + ".json"), "--check", "1600"});
