@@ -23,9 +23,9 @@ struct Traced {
 
 // `tree`: a DeviceTree of a Session, or the DeviceInstances of an InstancedSession.
 template <typename AnySession, typename Tree>
-Traced traceHits(Run& run, AnySession& session, const Tree& tree, const std::vector<Ray>& rays) {
+Traced traceHits(Run& run, AnySession& session, const Tree& tree, const std::vector<Ray>& rays, Traversal traversal) {
     const Options& options = run.options;
-    const TraceMode mode{options.query, run.traversal(), options.triangleTests.front(), false};
+    const TraceMode mode{options.query, traversal, options.triangleTests.front(), false};
     const Tracer::Result found = run.device.tracer().trace(tree, rays, mode);
     // Hits are written even if the check fails, so that they can be inspected.
     writeFile(options.output, npyOf(found.hits));
@@ -81,7 +81,7 @@ Traced answered(Run& run, Session& session, const DeviceTree& tree, const std::v
     const Query query = run.options.query;
     if (query == Query::all) return traceAll(run, tree, rays);
     if (query == Query::count || query == Query::signedCount) return traceCount(run, tree, rays);
-    return traceHits(run, session, tree, rays);
+    return traceHits(run, session, tree, rays, run.traversal());
 }
 
 void report(Run& run, Json scene, Json build, const Traced& traced) {
@@ -92,9 +92,10 @@ void report(Run& run, Json scene, Json build, const Traced& traced) {
 
 void traceInstanced(Run& run, InstancedSession session, const std::vector<Ray>& rays) {
     const BuiltInstances built = session.build(run.options.builders.front());
-    findInTracing(session.needs(), {.query = run.options.query, .traversal = run.traversal(), .instances = true});
+    const Traversal traversal = instancedTraversal(run);
+    findInTracing(session.needs(), {.query = run.options.query, .traversal = traversal, .instances = true});
     run.progress.phase("tracing");
-    const Traced traced = traceHits(run, session, built.onDevice, rays);
+    const Traced traced = traceHits(run, session, built.onDevice, rays, traversal);
     report(run, sceneJson(session.facts(built)), instancesBuildJson(session, built), traced);
     requireAnswered(traced.cappedRays, traced.check, session.scene().name);
     run.print(session.needs().line() + instancesLine(session, built) +

@@ -152,6 +152,10 @@ CheckResult InstancedSession::check(std::span<const Ray> rays, std::span<const H
     return result;
 }
 
+Traversal instancedTraversal(const Run& run) {
+    return run.options.traversals.empty() ? Traversal::shortStack : run.options.traversals.front();
+}
+
 Json instancesBuildJson(const InstancedSession& session, const BuiltInstances& built) {
     const Instances& made = session.instances();
     Json build = buildJson(built.sum);

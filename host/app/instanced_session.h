@@ -59,6 +59,10 @@ class InstancedSession {
 // and there can be none.
 std::optional<Sharing> sharingFor(const Run& run, const Scene& scene);
 
+// Of the run, or a short stack, which was the fastest where it was measured (docs/instances.md): a tree is walked in
+// many places by a ray, and a whole stack is begun anew in each.
+Traversal instancedTraversal(const Run& run);
+
 // What is told of the trees and the places.
 Json instancesBuildJson(const InstancedSession& session, const BuiltInstances& built);
 std::string instancesLine(const InstancedSession& session, const BuiltInstances& built);

@@ -12,8 +12,8 @@ void renderInstances(Run& run, InstancedSession session) {
     run.progress.phase("rendering");
     Renderer& renderer = run.device.renderer();
     run.device.device().transfers = {};
-    const PictureRequest request =
-        requestOf(run, {session.scene(), session.posed(), session.restBounds(), session.needs()});
+    PictureRequest request = requestOf(run, {session.scene(), session.posed(), session.restBounds(), session.needs()});
+    request.traversal = instancedTraversal(run);
     Picture picture = renderer.render(built.onDevice, request);
     run.progress.clear();
     if (countsSteps(request.view)) drawLegend(picture);
