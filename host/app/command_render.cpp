@@ -23,7 +23,7 @@ void runRender(Run& run) {
     requireWritable(options.output);
     if (options.json) requireWritable(*options.json);
     const Detail detail = showsSurfaces(options.view) ? Detail::corners : Detail::triangles;
-    LoadedScene loaded = loadScene(run, options.scenes.empty() ? defaultScene() : options.scenes.front());
+    ReadScene loaded = readScene(run, options.scenes.empty() ? defaultScene() : options.scenes.front());
     if (const auto sharing = sharingFor(run, loaded.scene))
         return renderInstances(run, InstancedSession(run, std::move(loaded), *sharing));
     Session session(run, std::move(loaded), detail);

@@ -109,7 +109,7 @@ void runTrace(Run& run) {
     requireWritable(options.output);
     if (options.json) requireWritable(*options.json);
     const std::vector<Ray> rays = readRays(options.rays);
-    LoadedScene loaded = loadScene(run, options.scenes.front());
+    ReadScene loaded = readScene(run, options.scenes.front());
     if (const auto sharing = sharingFor(run, loaded.scene))
         return traceInstanced(run, InstancedSession(run, std::move(loaded), *sharing), rays);
     Session session(run, std::move(loaded));

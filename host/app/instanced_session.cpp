@@ -47,7 +47,7 @@ std::optional<Sharing> sharingFor(const Run& run, const Scene& scene) {
     return large;
 }
 
-InstancedSession::InstancedSession(Run& run, LoadedScene loaded, const Sharing& sharing)
+InstancedSession::InstancedSession(Run& run, ReadScene loaded, const Sharing& sharing)
     : run_(run), needs_(run.options.keep), scene_(std::move(loaded.scene)), loadMs_(loaded.ms) {
     warnOnce(scene_.warnings);
     const std::vector<uint32_t> animations = chosenAnimations(run, scene_);

@@ -25,7 +25,7 @@ struct BuiltInstances {
 class InstancedSession {
   public:
     // `sharing`: what is kept once, as sharingOf() has it.
-    InstancedSession(Run& run, LoadedScene loaded, const Sharing& sharing);
+    InstancedSession(Run& run, ReadScene loaded, const Sharing& sharing);
 
     const Scene& scene() const { return scene_; }
     const PosedScene& posed() const { return posed_; }  // all but the triangles

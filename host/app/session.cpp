@@ -30,7 +30,7 @@ void buildOnHost(BuiltTree& built, const TriangleSet& set, const BuildSettings& 
 
 }  // namespace
 
-LoadedScene loadScene(Run& run, const fs::path& file) {
+ReadScene readScene(Run& run, const fs::path& file) {
     const NeedSet& keep = run.options.keep;
     const bool readsAll = (keep & (only(Need::unusedMeshes) | only(Need::unusedBuffers))).any();
     run.progress.phase("loading " + oneLine(file.filename().string()));
@@ -50,7 +50,7 @@ std::vector<uint32_t> chosenAnimations(Run& run, const Scene& scene) {
     return chosen;
 }
 
-Session::Session(Run& run, LoadedScene loaded, Detail detail)
+Session::Session(Run& run, ReadScene loaded, Detail detail)
     : run_(run),
       settings_(run.options.settings),
       needs_(run.options.keep),

@@ -19,11 +19,11 @@
 namespace cleave {
 
 // A scene as its file has it, and how long that took.
-struct LoadedScene {
+struct ReadScene {
     Scene scene;
     double ms = 0.0;
 };
-LoadedScene loadScene(Run& run, const std::filesystem::path& file);
+ReadScene readScene(Run& run, const std::filesystem::path& file);
 
 // The animations that the options of the run ask for; warns where there is none, or where they are of no use.
 std::vector<uint32_t> chosenAnimations(Run& run, const Scene& scene);
@@ -33,8 +33,8 @@ class Session {
     // Loads the scene, poses it at the time that the options of the run ask for, and passes warnings on, each once.
     // `run` outlives the session.
     Session(Run& run, const std::filesystem::path& file, Detail detail = Detail::triangles)
-        : Session(run, loadScene(run, file), detail) {}
-    Session(Run& run, LoadedScene loaded, Detail detail = Detail::triangles);
+        : Session(run, readScene(run, file), detail) {}
+    Session(Run& run, ReadScene loaded, Detail detail = Detail::triangles);
 
     // Poses the scene anew; what was built, uploaded or judged before was of another pose.
     void poseAt(double seconds);

@@ -36,7 +36,8 @@ struct Sharing {
 
 // Finds the meshes that stand in several places and always have the same shape: without morph targets, and where
 // positions are floats, or whole numbers, which floats hold. (Normalised ones are quotients in double.) Places of nodes
-// with a skin do not count, nor do meshes with fewer triangles than `fewest`.
+// with a skin do not count, nor do meshes with fewer triangles than `fewest`, nor those that would make it more than
+// 2^20 places.
 Sharing sharingOf(const Scene& scene, size_t fewest, size_t mostTriangles = kMostTriangles);
 
 // Poses as pose() does, with the same numbers and warnings; of triangles that are not finite it does not warn.

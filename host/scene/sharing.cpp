@@ -8,6 +8,9 @@
 namespace cleave {
 namespace {
 
+// A small file can ask for any number of places, by instances; one takes some 650 bytes while a scene is put together.
+constexpr size_t kMostPlaces = size_t(1) << 20;
+
 bool areFloats(const gltf::Accessor& accessor) {
     return !accessor.normalized && accessor.componentType != gltf::ComponentType::uint32;
 }
@@ -37,12 +40,15 @@ Sharing sharingOf(const Scene& scene, size_t fewest, size_t mostTriangles) {
         const gltf::Node& node = scene.nodes[index];
         if (node.mesh && !node.skin) places[*node.mesh] += instanceCount(scene, node);
     }
+    size_t room = kMostPlaces;
     for (size_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
         const size_t triangles = trianglesOf(scene, scene.meshes[mesh]);
-        const bool isShared =
-            places[mesh] >= 2 && triangles >= std::max<size_t>(fewest, 1) && keepsItsShape(scene, scene.meshes[mesh]);
+        const bool isShared = places[mesh] >= 2 && places[mesh] <= room && triangles >= std::max<size_t>(fewest, 1) &&
+                              keepsItsShape(scene, scene.meshes[mesh]);
         sharing.meshes.push_back(isShared);
-        if (isShared) sharing.copies += (places[mesh] - 1) * triangles;
+        if (!isShared) continue;
+        sharing.copies += (places[mesh] - 1) * triangles;
+        room -= places[mesh];
     }
     return sharing;
 }

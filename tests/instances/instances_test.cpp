@@ -188,6 +188,19 @@ TEST(Instances, ShareWhatKeepsItsShape) {
     EXPECT_EQ(sharing.triangles, 3u * 250 + 80);
 }
 
+// A few bytes ask for millions of places.
+TEST(Instances, AreNotMoreThanAMillion) {
+    for (const uint64_t count : {uint64_t{1} << 20, (uint64_t{1} << 20) + 1}) {
+        InstancedScene made;
+        made.node(made.mesh(mixedTriangles(2, 1)), glm::dmat4(1.0));
+        made.node(made.mesh(mixedTriangles(2, 2)), glm::dmat4(1.0));
+        made.scene.nodes[0].instancing = gltf::Instancing{count, {}, {}, {}};
+        made.scene.nodes[1].instancing = gltf::Instancing{2, {}, {}, {}};
+        const bool fits = count == uint64_t{1} << 20;
+        EXPECT_EQ(sharingOf(made.scene, 1).meshes, (std::vector<bool>{fits, !fits}));
+    }
+}
+
 // The bound of a place, against points of its triangles in 80 bits.
 TEST(Instances, BoundTheErrorOfTheWayBack) {
     std::mt19937 random(21);

@@ -26,12 +26,12 @@ struct Both {
     size_t places = 0;
 };
 
-Both bothOf(const Scene& scene, GpuBuilder* builder = nullptr) {
+Both bothOf(const Scene& scene, GpuBuilder* builder = nullptr, size_t fewest = 64) {
     Both both;
     both.world = pose(scene).triangles;
     both.set = makeTriangleSet(both.world);
     both.copied = uploadTree(device(), both.set, buildExact(both.set, BuildSettings{}));
-    SharedPose shared = poseShared(scene, {}, sharingOf(scene, 64));
+    SharedPose shared = poseShared(scene, {}, sharingOf(scene, fewest));
     const Instances made = instancesOf(shared);
     std::vector<std::shared_ptr<DeviceTree>> trees;
     const auto add = [&](const std::vector<Triangle>& triangles, std::span<const uint32_t> numbers) {
@@ -228,6 +228,21 @@ TEST(InstancesOnDevice, AnswerSoOnAGrid) {
         rays.push_back(ray);
     }
     expectSame(both, rays, {.traversal = Traversal::stack});
+}
+
+// Those of our own whose meshes stand in two places.
+TEST(InstancesOnDevice, AnswerSoInSceneFiles) {
+    size_t seen = 0;
+    for (const char* name : {"cornell", "shells", "still_life"}) {
+        SCOPED_TRACE(name);
+        const Scene scene = loadGltf(fs::path(CLEAVE_SOURCE) / "scenes" / (std::string(name) + ".glb"));
+        if (sharingOf(scene, 1).copies == 0) continue;
+        const Both both = bothOf(scene, nullptr, 1);
+        expectSame(both, raysAt(both, 400, 11), {.traversal = Traversal::shortStack});
+        if (HasFatalFailure()) return;
+        seen++;
+    }
+    EXPECT_EQ(seen, 3u);
 }
 
 TEST(InstancesOnDevice, AnswerNothingWithoutPlaces) {
