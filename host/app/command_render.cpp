@@ -1,5 +1,6 @@
 #include "app/commands.h"
 #include "app/picture_of.h"
+#include "app/render_instances.h"
 #include "app/report.h"
 #include "app/scene_trees.h"
 #include "base/error.h"
@@ -23,7 +24,10 @@ void runRender(Run& run) {
     requireWritable(options.output);
     if (options.json) requireWritable(*options.json);
     const Detail detail = showsSurfaces(options.view) ? Detail::corners : Detail::triangles;
-    Session session(run, options.scenes.empty() ? defaultScene() : options.scenes.front(), detail);
+    ReadScene loaded = readScene(run, options.scenes.empty() ? defaultScene() : options.scenes.front());
+    if (const auto sharing = sharingFor(run, loaded.scene))
+        return renderInstances(run, InstancedSession(run, std::move(loaded), *sharing));
+    Session session(run, std::move(loaded), detail);
     const DeviceSurfaces surfaces = session.surfacesOnDevice(options.view);
     SceneTrees trees(options, session, {.showsTree = countsSteps(options.view)});
     trees.build(false);

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "app/commands.h"
+#include "app/instanced_session.h"
 #include "app/report.h"
 #include "app/scene_trees.h"
 #include "base/text.h"
@@ -21,10 +22,12 @@ struct Traced {
     std::string told;  // the line about the output
 };
 
-Traced traceHits(Run& run, Session& session, const Forest& forest, const std::vector<Ray>& rays) {
+// `trees`: the Forest of a Session, or the DeviceInstances of an InstancedSession.
+template <typename AnySession, typename Trees>
+Traced traceHits(Run& run, AnySession& session, const Trees& trees, const std::vector<Ray>& rays, Traversal traversal) {
     const Options& options = run.options;
-    const TraceMode mode{options.query, run.traversal(), options.triangleTests.front(), false};
-    const Tracer::Result found = run.device.tracer().trace(forest, rays, mode);
+    const TraceMode mode{options.query, traversal, options.triangleTests.front(), false};
+    const Tracer::Result found = run.device.tracer().trace(trees, rays, mode);
     // Hits are written even if the check fails, so that they can be inspected.
     writeFile(options.output, npyOf(found.hits));
     Traced traced{{}, found.ms, found.invalidRays, found.cappedRays, {}, {}};
@@ -79,7 +82,25 @@ Traced answered(Run& run, Session& session, const Forest& forest, const std::vec
     const Query query = run.options.query;
     if (query == Query::all) return traceAll(run, *forest.trees.front(), rays);
     if (query == Query::count || query == Query::signedCount) return traceCount(run, *forest.trees.front(), rays);
-    return traceHits(run, session, forest, rays);
+    return traceHits(run, session, forest, rays, run.traversal());
+}
+
+void report(Run& run, Json scene, Json build, const Traced& traced) {
+    Json report{{"scene", std::move(scene)}, {"build", std::move(build)}, {"trace", traced.json}};
+    if (run.options.check > 0) report["check"] = checkJson(traced.check);
+    writeReport(run, report);
+}
+
+void traceInstanced(Run& run, InstancedSession session, const std::vector<Ray>& rays) {
+    const BuiltInstances built = session.build(run.options.builders.front());
+    const Traversal traversal = instancedTraversal(run);
+    findInTracing(session.needs(), {.query = run.options.query, .traversal = traversal, .instances = true});
+    run.progress.phase("tracing");
+    const Traced traced = traceHits(run, session, built.onDevice, rays, traversal);
+    report(run, sceneJson(session.facts(built)), instancesBuildJson(session, built), traced);
+    requireAnswered(traced.cappedRays, traced.check, session.scene().name);
+    run.print(session.needs().line() + instancesLine(session, built) +
+              tracedLine(rays.size(), traced.ms, traced.invalidRays) + traced.told);
 }
 
 }  // namespace
@@ -89,15 +110,16 @@ void runTrace(Run& run) {
     requireWritable(options.output);
     if (options.json) requireWritable(*options.json);
     const std::vector<Ray> rays = readRays(options.rays);
-    Session session(run, options.scenes.front());
+    ReadScene loaded = readScene(run, options.scenes.front());
+    if (const auto sharing = sharingFor(run, loaded.scene))
+        return traceInstanced(run, InstancedSession(run, std::move(loaded), *sharing), rays);
+    Session session(run, std::move(loaded));
     SceneTrees trees(options, session, {.rays = rays.size()});
     trees.build(false);
     findInTracing(session.needs(), {options.query, run.traversal()});
     const Traced traced = answered(run, session, trees.forest(), rays);
 
-    Json report{{"scene", sceneJson(session)}, {"build", trees.json()}, {"trace", traced.json}};
-    if (options.check > 0) report["check"] = checkJson(traced.check);
-    writeReport(run, report);
+    report(run, sceneJson(session), trees.json(), traced);
     requireAnswered(traced.cappedRays, traced.check, session.scene().name);
     run.print(session.needs().line() + trees.lines() + tracedLine(rays.size(), traced.ms, traced.invalidRays) +
               traced.told);

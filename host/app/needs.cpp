@@ -45,9 +45,8 @@ std::string Needs::line() const {
     return line.empty() ? line : line + "\n";
 }
 
-void findInScene(Needs& needs, const Scene& scene, const PosedScene& posed, bool played) {
+void findInScene(Needs& needs, const Scene& scene, const Box& bounds, bool played) {
     if (!played) needs.leaveOut(Need::animation, scene.animations.empty() ? "the scene has none" : "none is played");
-    const Box bounds = finiteBounds(posed.triangles);
     constexpr Need kAxes[] = {Need::xAxis, Need::yAxis, Need::zAxis};
     for (int axis = 0; axis < 3; ++axis)
         if (bounds.lo[axis] == bounds.hi[axis]) needs.leaveOut(kAxes[axis], "the scene is flat");

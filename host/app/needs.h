@@ -73,7 +73,8 @@ class Needs {
 inline constexpr size_t kFewTriangles = 32;
 
 // What a scene has no need of that is loaded and posed. `played`: whether an animation is.
-void findInScene(Needs& needs, const Scene& scene, const PosedScene& posed, bool played);
+// `bounds`: of its triangles with finite vertices, in the world.
+void findInScene(Needs& needs, const Scene& scene, const Box& bounds, bool played);
 // What the surfaces of a view lack.
 void findInSurfaces(Needs& needs, const SurfaceData& surfaces, View view);
 // What the default builder has no need of; the tree itself only where `mayDoWithout`.

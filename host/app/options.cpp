@@ -85,6 +85,8 @@ void complete(Options& options) {
         options.command == Command::render || options.command == Command::trace || options.command == Command::query;
     if (writes && options.json && options.json->lexically_normal() == options.output.lexically_normal())
         throw UsageError("--json and -o name the same file");
+    if (const auto why = needForCopies(options); why && options.instances == Choice::on)
+        throw UsageError("--instances on: there can be none, since " + *why + "; leave it out");
     if (options.frames && !std::isfinite(static_cast<double>(options.frames->last) / options.frames->fps))
         throw UsageError("--fps: at so few frames per second the time of the last frame is no finite number");
     if (options.frames && options.json && isFrameFile(options.output, *options.json))
@@ -102,6 +104,19 @@ std::string lineOf(int argc, const char* const* argv) {
 }
 
 }  // namespace
+
+std::optional<std::string> needForCopies(const Options& options) {
+    if (options.tree) return "--tree names a single tree";
+    if (options.query != Query::closest && options.query != Query::any)
+        return "all hits, and counts of them, are found in a single tree";
+    if (options.splitMoving == Choice::on) return "--split-moving on gives what moves a tree of its own";
+    if (options.keep.any()) return "--keep-all leaves nothing out, copies included";
+    if (options.command != Command::render) return std::nullopt;
+    if (options.frames) return "frames are posed anew, with copies";
+    if (options.view != View::depth && !countsSteps(options.view))
+        return "only the views depth, steps and leaves show nothing of the triangles themselves";
+    return std::nullopt;
+}
 
 uint32_t defaultSamples(View view) { return view == View::path ? 64 : 1; }
 uint32_t samplesOf(const Options& options) { return options.samples.value_or(defaultSamples(options.view)); }

@@ -55,6 +55,7 @@ struct Options {
     BuildSettings settings;
     std::optional<std::filesystem::path> tree;      // a saved one, instead of building
     std::optional<std::filesystem::path> saveTree;  // info: where to keep what was built
+    Choice instances = Choice::automatic;           // one tree for a mesh that stands in many places
     NeedSet keep;                                   // not left out, though nothing needs it
     std::string device;
     uint64_t check = 0;  // rays of a run to be judged
@@ -111,6 +112,9 @@ uint32_t samplesOf(const Options& options);
 
 // Rays per set that a benchmark judges before it tells any time: those of --check, or 2048.
 uint64_t raysToJudge(const Options& options);
+
+// Why a run cannot do without copies of meshes, whatever the scene; nothing if it can.
+std::optional<std::string> needForCopies(const Options& options);
 
 // Wrong use of the command line: exit status 2.
 struct UsageError : std::runtime_error {

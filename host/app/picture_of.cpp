@@ -12,28 +12,32 @@ namespace cleave {
 namespace {
 
 // Cameras move with their nodes; what is placed by the scene's bounds stays where the rest pose wants it.
-Camera cameraOf(Session& session, const Options& options) {
-    const Box bounds = session.restBounds();
+Camera cameraOf(const PictureSubject& subject, const Options& options) {
+    const Box& bounds = subject.restBounds;
     ViewOverrides overrides{options.eye, options.look, std::nullopt};
     if (options.fov) overrides.verticalFov = glm::radians(*options.fov);
-    return overridden(chooseCamera(session.posed(), bounds, options.camera), bounds, overrides);
+    return overridden(chooseCamera(subject.posed, bounds, options.camera), bounds, overrides);
 }
 
 }  // namespace
 
 PictureRequest requestOf(Run& run, Session& session) {
+    return requestOf(run, {session.scene(), session.posed(), session.restBounds(), session.needs()});
+}
+
+PictureRequest requestOf(Run& run, const PictureSubject& subject) {
     const Options& options = run.options;
     PictureRequest request;
-    request.camera = imageCamera(cameraOf(session, options), options.width, options.height, infinity());
+    request.camera = imageCamera(cameraOf(subject, options), options.width, options.height, infinity());
     request.view = options.view;
     request.samples = samplesOf(options);
     request.bounces = options.bounces;
     request.exposure = options.exposure;
-    request.ambientReach = ambientReachOf(session.restBounds());
-    if (options.view == View::path) request.lighting = lightingOf(session.scene(), session.posed());
+    request.ambientReach = ambientReachOf(subject.restBounds);
+    if (options.view == View::path) request.lighting = lightingOf(subject.scene, subject.posed);
     request.traversal = run.traversal();
     request.test = options.triangleTests.front();
-    Needs& needs = session.needs();
+    Needs& needs = subject.needs;
     findInTracing(needs, {Query::closest, request.traversal, request.test, false});
     findInPicture(needs, options.view, request.lighting.emitters);
     request.kept.steps = needs.keeps(Need::stepCounters);

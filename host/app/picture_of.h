@@ -11,7 +11,16 @@
 
 namespace cleave {
 
+// What a picture is of.
+struct PictureSubject {
+    const Scene& scene;
+    const PosedScene& posed;  // of its triangles only what the view shows
+    const Box& restBounds;
+    Needs& needs;
+};
+
 // Throws NotFound if the scene does not have the camera that is asked for.
+PictureRequest requestOf(Run& run, const PictureSubject& subject);
 PictureRequest requestOf(Run& run, Session& session);
 
 // Says after each sample how far a picture is, and whether it goes on: --time-limit and, where the picture is all that

@@ -97,6 +97,7 @@ void addRender(CLI::App& app, Options& options) {
     app.get_option("--tree")->excludes("--frames");
     addSplitMoving(app, options);
     addTraversal(app, options, false);
+    addInstances(app, options);
     addKeepAll(app, options);
     addOutput(app, options);
 }

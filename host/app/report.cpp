@@ -5,24 +5,30 @@
 
 namespace cleave {
 
-Json sceneJson(const Session& session) {
+Json sceneJson(const SceneFacts& facts) {
     // The kinds that scripts look for are there also where their count is 0.
     Json leftOut{{"points", 0}, {"lines", 0}};
-    for (const auto& [what, count] : session.posed().leftOut) leftOut[what] = count;
-    leftOut["nonFinite"] = session.set().nonFinite;
-    leftOut["noArea"] = session.set().noArea;
-    for (const auto& [need, reason] : session.needs().leftOut()) {
+    for (const auto& [what, count] : facts.posed.leftOut) leftOut[what] = count;
+    leftOut["nonFinite"] = facts.nonFinite;
+    leftOut["noArea"] = facts.noArea;
+    for (const auto& [need, reason] : facts.needs.leftOut()) {
         Json& told = leftOut[keyOf(need)];
         std::visit([&told](const auto& value) { told = value; }, reason);
     }
-    return {{"name", session.scene().name},
-            {"triangles", session.posed().triangles.size()},
+    return {{"name", facts.scene.name},
+            {"triangles", facts.triangles},
             {"leftOut", leftOut},
-            {"loadMs", numberJson(session.loadMilliseconds())},
-            {"poseMs", numberJson(session.poseMilliseconds())},
-            {"materials", session.scene().materials.size()},
-            {"cameras", session.posed().cameras.size()},
-            {"animations", session.scene().animations.size()}};
+            {"loadMs", numberJson(facts.loadMs)},
+            {"poseMs", numberJson(facts.poseMs)},
+            {"materials", facts.scene.materials.size()},
+            {"cameras", facts.posed.cameras.size()},
+            {"animations", facts.scene.animations.size()}};
+}
+
+Json sceneJson(const Session& session) {
+    return sceneJson({session.scene(), session.posed(), session.needs(), session.posed().triangles.size(),
+                      session.set().nonFinite, session.set().noArea, session.loadMilliseconds(),
+                      session.poseMilliseconds()});
 }
 
 Json completed(const Run& run, Json report) {

@@ -43,6 +43,11 @@ void addSplitMoving(CLI::App& app, Options& options) {
     app.get_option("--tree")->excludes("--split-moving");
 }
 
+void addInstances(CLI::App& app, Options& options) {
+    addNamed(app, "--instances", "one tree for a mesh that stands in many places; auto: where it saves memory",
+             options.instances, kChoices);
+}
+
 void addKeepAll(CLI::App& app, Options& options) {
     app.add_flag_callback(
         "--keep-all", [&options] { options.keep.set(); }, "leave nothing out that the scene has no need of");

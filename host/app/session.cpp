@@ -30,23 +30,38 @@ void buildOver(const TriangleSet& set, BuiltTree& built, const BuildSettings& se
 
 }  // namespace
 
-Session::Session(Run& run, const fs::path& file, Detail detail)
-    : run_(run), settings_(run.options.settings), needs_(run.options.keep), detail_(detail) {
+ReadScene readScene(Run& run, const fs::path& file) {
+    const NeedSet& keep = run.options.keep;
+    const bool readsAll = (keep & (only(Need::unusedMeshes) | only(Need::unusedBuffers))).any();
+    run.progress.phase("loading " + oneLine(file.filename().string()));
+    const Stopwatch loading;
+    Scene scene = loadGltf(file, readsAll ? Reading::everything : Reading::shown);
+    return {std::move(scene), loading.milliseconds()};
+}
+
+std::vector<uint32_t> chosenAnimations(Run& run, const Scene& scene) {
+    const Options& options = run.options;
+    std::vector<uint32_t> chosen =
+        options.animation == kAllAnimations ? allAnimations(scene) : chooseAnimation(scene, options.animation);
+    if (chosen.empty() && (options.time || options.frames))
+        run.warn("'" + scene.name + "' has no animation: it is the same at all times");
+    if (!options.animation.empty() && !options.time && !options.frames)
+        run.warn("--animation: the rest pose is shown, as no time is given");
+    return chosen;
+}
+
+Session::Session(Run& run, ReadScene loaded, Detail detail)
+    : run_(run),
+      settings_(run.options.settings),
+      needs_(run.options.keep),
+      detail_(detail),
+      scene_(std::move(loaded.scene)),
+      loadMs_(loaded.ms) {
     const Options& options = run.options;
     for (const Need need : {Need::xAxis, Need::yAxis, Need::zAxis, Need::largeNodes})
         settings_.everything = settings_.everything || needs_.keeps(need);
-    const bool readsAll = needs_.keeps(Need::unusedMeshes) || needs_.keeps(Need::unusedBuffers);
-    run_.progress.phase("loading " + oneLine(file.filename().string()));
-    const Stopwatch loading;
-    scene_ = loadGltf(file, readsAll ? Reading::everything : Reading::shown);
-    loadMs_ = loading.milliseconds();
     warnOnce(scene_.warnings);
-    animations_ =
-        options.animation == kAllAnimations ? allAnimations(scene_) : chooseAnimation(scene_, options.animation);
-    if (animations_.empty() && (options.time || options.frames))
-        run_.warn("'" + scene_.name + "' has no animation: it is the same at all times");
-    if (!options.animation.empty() && !options.time && !options.frames)
-        run_.warn("--animation: the rest pose is shown, as no time is given");
+    animations_ = chosenAnimations(run, scene_);
     if (options.time) {
         poseAt(*options.time);
     } else {
@@ -55,7 +70,7 @@ Session::Session(Run& run, const fs::path& file, Detail detail)
     }
     const bool played = (options.time || options.frames) && !animations_.empty();
     if (!played && needs_.keeps(Need::animation)) readUnplayed();
-    findInScene(needs_, scene_, posed_, played);
+    findInScene(needs_, scene_, bounds_, played);
 }
 
 // Their keys, for nothing.
@@ -119,9 +134,10 @@ void Session::moveSurfaces(DeviceSurfaces& surfaces) {
 
 void Session::buildOnHost(BuiltTree& built, const BuildSettings& settings, std::span<const uint32_t> list) {
     if (list.empty()) return buildOver(set_, built, settings);
-    const TriangleSet part = makeTriangleSet(posed_.triangles, list);
+    const TriangleSet part = makeTriangleSet(trianglesOf(posed_.triangles, list));
     buildOver(part, built, settings);
     built.onDevice = uploadTree(run_.device.device(), part, built.tree, list);
+    for (uint32_t& triangle : built.tree.leafTriangles) triangle = list[triangle];
 }
 
 void Session::buildOnDevice(BuiltTree& built, const BuildSettings& settings, std::span<const uint32_t> list) {

@@ -18,11 +18,23 @@
 
 namespace cleave {
 
+// A scene as its file has it, and how long that took.
+struct ReadScene {
+    Scene scene;
+    double ms = 0.0;
+};
+ReadScene readScene(Run& run, const std::filesystem::path& file);
+
+// The animations that the options of the run ask for; warns where there is none, or where they are of no use.
+std::vector<uint32_t> chosenAnimations(Run& run, const Scene& scene);
+
 class Session {
   public:
     // Loads the scene, poses it at the time that the options of the run ask for, and passes warnings on, each once.
     // `run` outlives the session.
-    Session(Run& run, const std::filesystem::path& file, Detail detail = Detail::triangles);
+    Session(Run& run, const std::filesystem::path& file, Detail detail = Detail::triangles)
+        : Session(run, readScene(run, file), detail) {}
+    Session(Run& run, ReadScene loaded, Detail detail = Detail::triangles);
 
     // Poses the scene anew; what was built, uploaded or judged before was of another pose.
     void poseAt(double seconds);

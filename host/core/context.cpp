@@ -60,6 +60,17 @@ bool createBuildKernels(Creation& creation, Context::State& state, const GroupSi
            creation.create(state.compact, "compact", sizeof(CompactPush), {});
 }
 
+const char* traceKernelName(const TraceMode& mode) {
+    switch (mode.traversal) {
+        case Traversal::stack:
+            return mode.instances ? "trace_instances_stack" : "trace_stack";
+        case Traversal::shortStack:
+            return mode.instances ? "trace_instances_short_stack" : "trace_short_stack";
+        default:
+            return mode.instances ? "trace_instances" : "trace";
+    }
+}
+
 bool createTraceKernel(Creation& creation, Kernel& kernel, const TraceMode& mode) {
     if (mode.query == Query::all) return creation.create(kernel, "trace_all", sizeof(TracePush), {});
     if (mode.query == Query::count || mode.query == Query::signedCount) {
@@ -68,10 +79,7 @@ bool createTraceKernel(Creation& creation, Kernel& kernel, const TraceMode& mode
     }
     const uint32_t constants[] = {mode.query == Query::any ? 1u : 0u, mode.countSteps ? 1u : 0u,
                                   static_cast<uint32_t>(mode.test)};
-    const char* name = mode.traversal == Traversal::stack        ? "trace_stack"
-                       : mode.traversal == Traversal::shortStack ? "trace_short_stack"
-                                                                 : "trace";
-    return creation.create(kernel, name, sizeof(TracePush), constants);
+    return creation.create(kernel, traceKernelName(mode), sizeof(TracePush), constants);
 }
 
 bool createTraceKernels(Creation& creation, Context::State& state, std::span<const TraceMode> modes) {

@@ -6,9 +6,11 @@
 
 namespace cleave {
 
-// Whether a dispatch may give up on a ray, for which a next one goes on. With a stack no node is visited twice.
+// Whether a dispatch may give up on a ray, for which a next one goes on. With a stack no node is visited twice; of a
+// ray through many trees a trail says too little.
 inline bool mayGoOn(const TraceMode& mode) noexcept {
-    return (mode.query == Query::closest || mode.query == Query::any) && mode.traversal != Traversal::stack;
+    return (mode.query == Query::closest || mode.query == Query::any) && mode.traversal != Traversal::stack &&
+           !mode.instances;
 }
 
 inline TracePush tracePush(const TraceInfo& info) noexcept {

@@ -16,9 +16,7 @@ VkDeviceAddress Tree::address() const { return state_->tree->address(); }
 
 void Tree::State::requireClosed() {
     if (!openEdges) {
-        std::vector<cleave::Triangle> listed;
-        for (const uint32_t number : list) listed.push_back((*world)[number]);
-        openEdges = cleave::openEdges(list.empty() ? *world : listed);
+        openEdges = cleave::openEdges(list.empty() ? *world : cleave::trianglesOf(*world, list));
     }
     requireNoOpenEdges(*openEdges);
 }

@@ -47,6 +47,8 @@ enum class PictureRays { primary, bounce, shadow };
 struct PictureInfo {
     // Rays visit one after the other and go on from what they hit; together the trees have all triangles.
     std::span<const VkDeviceAddress> trees;
+    // The only one is a PlacedScene. For views that show nothing of triangles: depth, steps and leaves.
+    bool instances = false;
     Box bounds = emptyBox();        // of all trees, in the scaled space of `exponent`
     int32_t exponent = 0;           // the largest of the trees'
     VkDeviceAddress triangles = 0;  // 36 bytes each: the vertices in world space, by number
@@ -76,14 +78,14 @@ struct PictureInfo {
     }
     PictureParts parts() const {
         PictureParts p = partsOf(static_cast<uint32_t>(view));
-        p.trails = kept.trails || mayGoOn({Query::closest, traversal, test, false});
+        p.trails = kept.trails || mayGoOn({Query::closest, traversal, test, false, instances});
         p.steps = p.steps || kept.steps;
         p.shadows = p.shadows || kept.shadows;
         p.emitters = kept.emitters || settings.emitters.slots > 0;
         p.trees = static_cast<uint32_t>(trees.size());
         return p;
     }
-    TraceMode primaryMode() const { return {Query::closest, traversal, test, parts().steps}; }
+    TraceMode primaryMode() const { return {Query::closest, traversal, test, parts().steps, instances}; }
     TraceMode shadowMode() const { return {Query::any, traversal, test, false}; }
 };
 

@@ -53,9 +53,8 @@ Box Forest::bounds() const {
 }
 
 std::shared_ptr<DeviceTree> uploadTree(Device& device, const TriangleSet& set, const KdTree& tree,
-                                       std::span<const uint32_t> list) {
-    const bool isOfList = !list.empty();
-    const auto triangles = static_cast<uint32_t>(isOfList ? list.size() : set.triangles.size());
+                                       std::span<const uint32_t> numbers) {
+    const auto triangles = static_cast<uint32_t>(set.triangles.size());
     const auto nodes = static_cast<uint32_t>(tree.nodes.size());
     const auto leafRefs = static_cast<uint32_t>(tree.leafTriangles.size());
     const TreeLayout at = treeLayout(triangles, nodes, leafRefs);
@@ -79,18 +78,12 @@ std::shared_ptr<DeviceTree> uploadTree(Device& device, const TriangleSet& set, c
     made->memory.write(0, &h, sizeof(h));
     std::vector<TreeTriangle> numbered;
     numbered.reserve(triangles);
-    for (uint32_t i = 0; i < triangles; i++) {
-        const uint32_t number = isOfList ? list[i] : i;
-        numbered.push_back(treeTriangle(set.triangles[number], number));
-    }
+    for (uint32_t i = 0; i < triangles; i++)
+        numbered.push_back(treeTriangle(set.triangles[i], numbers.empty() ? i : numbers[i]));
+    made->isOfList = !numbers.empty();
     made->memory.write(bytesOf(at.triangles), numbered.data(), triangles * sizeof(TreeTriangle));
     made->memory.write(bytesOf(at.nodes), tree.nodes.data(), nodes * sizeof(KdNode));
-    std::vector<uint32_t> indices = isOfList ? tree.leafTriangles : std::vector<uint32_t>();
-    for (uint32_t& triangle : indices)
-        triangle = static_cast<uint32_t>(std::ranges::lower_bound(list, triangle) - list.begin());
-    made->memory.write(bytesOf(at.leafRefs), isOfList ? indices.data() : tree.leafTriangles.data(),
-                       leafRefs * sizeof(uint32_t));
-    made->isOfList = isOfList;
+    made->memory.write(bytesOf(at.leafRefs), tree.leafTriangles.data(), leafRefs * sizeof(uint32_t));
     return made;
 }
 

@@ -44,10 +44,10 @@ struct Forest {
     Box bounds() const;
 };
 
-// A tree of the host, moved to the device. `set` is what it was built over; of a part of the scene's triangles, if it
-// was made of a list of these.
+// A tree of the host, moved to the device. `set` is what it was built over; `numbers`: those of its triangles; empty:
+// their indices.
 std::shared_ptr<DeviceTree> uploadTree(Device& device, const TriangleSet& set, const KdTree& tree,
-                                       std::span<const uint32_t> list = {});
+                                       std::span<const uint32_t> numbers = {});
 // A tree of the device, on the host. Its leaves list numbers of triangles.
 KdTree readBack(const DeviceTree& tree);
 

@@ -13,12 +13,33 @@
 namespace cleave {
 namespace {
 
-BuildInfo infoOf(const Geometry& geometry, const BuildSettings& settings, const Device& device) {
+BuildInfo infoOf(std::span<const Geometry> geometries, const BuildSettings& settings, const Device& device) {
     BuildInfo info = buildInfo(settings);
-    info.geometries = &geometry;
-    info.geometryCount = 1;
+    info.geometries = geometries.data();
+    info.geometryCount = static_cast<uint32_t>(geometries.size());
     info.largestRange = device.largestAllocation();
     return info;
+}
+
+// Triangles with these numbers: a geometry for each run of numbers that follow each other, and one without vertices, of
+// which the list has none, for what is between them.
+std::vector<Geometry> geometriesOf(const DeviceTriangles& triangles, std::span<const uint32_t> numbers) {
+    std::vector<Geometry> geometries;
+    const auto add = [&](size_t first, size_t vertices, size_t count) {
+        Geometry g = triangles.geometry();
+        g.vertices += first * sizeof(Triangle);
+        g.vertexCount = static_cast<uint32_t>(vertices);
+        g.triangleCount = static_cast<uint32_t>(count);
+        if (count > 0) geometries.push_back(g);
+    };
+    uint32_t next = 0;
+    for (size_t first = 0, end = 0; first < numbers.size(); first = end) {
+        add(0, 0, numbers[first] - next);
+        while (end < numbers.size() && numbers[end] - numbers[first] == end - first) end++;
+        add(first, 3 * (end - first), end - first);
+        next = numbers[end - 1] + 1;
+    }
+    return geometries;
 }
 
 bool contains(const Capacity& a, const Capacity& b) {
@@ -84,11 +105,21 @@ GpuBuilder::~GpuBuilder() = default;
 
 GpuBuilder::Result GpuBuilder::build(const DeviceTriangles& triangles, const BuildSettings& settings,
                                      std::span<const uint32_t> list) {
+    const Geometry geometry = triangles.geometry();
+    return build({&geometry, 1}, settings, list);
+}
+
+GpuBuilder::Result GpuBuilder::buildNumbered(const DeviceTriangles& triangles, const BuildSettings& settings,
+                                             std::span<const uint32_t> numbers) {
+    return build(geometriesOf(triangles, numbers), settings, numbers);
+}
+
+GpuBuilder::Result GpuBuilder::build(std::span<const Geometry> geometries, const BuildSettings& settings,
+                                     std::span<const uint32_t> list) {
     const Stopwatch watch;
     State& s = *state_;
     const Buffer numbers = uploaded(s.device, list);
-    const Geometry geometry = triangles.geometry();
-    BuildInfo info = infoOf(geometry, settings, s.device);
+    BuildInfo info = infoOf(geometries, settings, s.device);
     if (!list.empty()) {
         info.list = numbers.address();
         info.listCount = static_cast<uint32_t>(list.size());
@@ -115,7 +146,7 @@ GpuBuilder::Result GpuBuilder::build(const DeviceTriangles& triangles, const Bui
 BuildProfile GpuBuilder::profile(const DeviceTriangles& triangles, const BuildSettings& settings) {
     State& s = *state_;
     const Geometry geometry = triangles.geometry();
-    BuildInfo info = infoOf(geometry, settings, s.device);
+    BuildInfo info = infoOf({&geometry, 1}, settings, s.device);
     info.capacity = s.capacity;
     s.reserve(info);
     Commands timed(s.device, kMostStamps);

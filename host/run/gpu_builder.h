@@ -28,11 +28,17 @@ class GpuBuilder {
     // `list`: ascending numbers of the triangles that the tree is built over; empty: all.
     Result build(const DeviceTriangles& triangles, const BuildSettings& settings, std::span<const uint32_t> list = {});
 
+    // Over all of the triangles, which have these ascending numbers in the scene.
+    Result buildNumbered(const DeviceTriangles& triangles, const BuildSettings& settings,
+                         std::span<const uint32_t> numbers);
+
     // Builds once more, with the clock read after every pass. With the capacity that the last build needed, so that it
     // follows one with the same settings. Without a clock on the queue all times are 0.
     BuildProfile profile(const DeviceTriangles& triangles, const BuildSettings& settings);
 
   private:
+    Result build(std::span<const Geometry> geometries, const BuildSettings& settings, std::span<const uint32_t> list);
+
     struct State;
     std::unique_ptr<State> state_;
     double setupMs_ = 0.0;

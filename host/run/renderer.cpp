@@ -187,6 +187,21 @@ Renderer::~Renderer() = default;
 Picture Renderer::render(const Forest& forest, const DeviceTriangles& triangles, const DeviceSurfaces& surfaces,
                          const PictureRequest& request) {
     begin(forest, triangles, surfaces, request);
+    return finish(request);
+}
+
+Picture Renderer::render(const DeviceInstances& instances, const PictureRequest& request) {
+    State& s = *state_;
+    s.trees = {instances.address()};
+    PictureInfo scene;
+    scene.instances = true;
+    scene.bounds = instances.bounds;
+    scene.exponent = instances.exponent;
+    begin(scene, request);
+    return finish(request);
+}
+
+Picture Renderer::finish(const PictureRequest& request) {
     while (samplesTaken() < request.samples) {
         while (!takeSlice()) continue;
         if (request.goesOn && !request.goesOn(samplesTaken())) break;
@@ -196,15 +211,20 @@ Picture Renderer::render(const Forest& forest, const DeviceTriangles& triangles,
 
 void Renderer::begin(const Forest& forest, const DeviceTriangles& triangles, const DeviceSurfaces& surfaces,
                      const PictureRequest& request) {
+    state_->trees.clear();
+    for (const DeviceTree* tree : forest.trees) state_->trees.push_back(tree->address());
+    PictureInfo scene;
+    scene.bounds = forest.bounds();
+    scene.exponent = forest.exponent();
+    scene.triangles = triangles.triangles.address();
+    scene.surfaces = surfaces.addresses();
+    begin(scene, request);
+}
+
+void Renderer::begin(const PictureInfo& scene, const PictureRequest& request) {
     State& s = *state_;
-    s.trees.clear();
-    for (const DeviceTree* tree : forest.trees) s.trees.push_back(tree->address());
-    PictureInfo& info = s.info = {};
+    PictureInfo& info = s.info = scene;
     info.trees = s.trees;
-    info.bounds = forest.bounds();
-    info.exponent = forest.exponent();
-    info.triangles = triangles.triangles.address();
-    info.surfaces = surfaces.addresses();
     info.camera = request.camera;
     info.view = request.view;
     info.samples = request.samples;

@@ -74,6 +74,9 @@ class Renderer {
     Picture render(const Forest& forest, const DeviceTriangles& triangles, const DeviceSurfaces& surfaces,
                    const PictureRequest& request);
 
+    // Through meshes in places, in a view that shows nothing of triangles.
+    Picture render(const DeviceInstances& instances, const PictureRequest& request);
+
     // The same in parts, for those who look at it on the way. What begin() is given outlives the picture; one that was
     // not finished is forgotten.
     void begin(const Forest& forest, const DeviceTriangles& triangles, const DeviceSurfaces& surfaces,
@@ -96,6 +99,9 @@ class Renderer {
     std::vector<vec3> readRadiance() const;
 
   private:
+    void begin(const PictureInfo& scene, const PictureRequest& request);
+    Picture finish(const PictureRequest& request);
+
     struct State;
     std::unique_ptr<State> state_;
     double setupMs_ = 0.0;

@@ -48,16 +48,15 @@ struct Tracer::State {
     }
 
     // Puts a batch of rays on the device, with what their query needs beside them.
-    TraceInfo placed(const DeviceTree& tree, std::span<const Ray> batch, const TraceMode& mode,
-                     uint32_t hitsPerRay = 1) {
+    TraceInfo placed(uint64_t tree, std::span<const Ray> batch, const TraceMode& mode, uint32_t hitsPerRay = 1) {
         reserve(rays, batch.size_bytes());
         reserve(hits, batch.size() * hitsPerRay * sizeof(Hit));
-        const bool goesOn = limits.keepsTrails || mayGoOn(mode);
+        const bool goesOn = (limits.keepsTrails && !mode.instances) || mayGoOn(mode);
         if (goesOn) reserve(trails, batch.size() * sizeof(Trail));
         if (mode.countSteps) reserve(steps, batch.size() * sizeof(StepCount));
         rays.upload(batch);
         TraceInfo info;
-        info.tree = tree.address();
+        info.tree = tree;
         info.rays = rays.address();
         info.hits = hits.address();
         if (goesOn) info.trails = trails.address();
@@ -113,6 +112,19 @@ double Tracer::setupMilliseconds() const { return state_->setupMs; }
 
 Tracer::Result Tracer::trace(const Forest& forest, std::span<const Ray> rays, const TraceMode& mode,
                              std::span<const Hit> from) {
+    std::vector<uint64_t> addresses;
+    for (const DeviceTree* tree : forest.trees) addresses.push_back(tree->address());
+    return traceFrom(addresses, rays, mode, from);
+}
+
+Tracer::Result Tracer::trace(const DeviceInstances& instances, std::span<const Ray> rays, TraceMode mode) {
+    mode.instances = true;
+    const uint64_t address = instances.address();
+    return traceFrom({&address, 1}, rays, mode, {});
+}
+
+Tracer::Result Tracer::traceFrom(std::span<const uint64_t> trees, std::span<const Ray> rays, const TraceMode& mode,
+                                 std::span<const Hit> from) {
     State& s = *state_;
     const Context& traced = context(mode);
     Result result;
@@ -120,13 +132,13 @@ Tracer::Result Tracer::trace(const Forest& forest, std::span<const Ray> rays, co
     if (mode.countSteps) result.steps.resize(rays.size());
     for (size_t first = 0; first < rays.size(); first += s.limits.batch) {
         const std::span<const Ray> batch = s.batchAt(rays, first);
-        TraceInfo info = s.placed(*forest.trees.front(), batch, mode);
+        TraceInfo info = s.placed(trees.front(), batch, mode);
         if (!from.empty()) s.hits.upload(from.subspan(first, batch.size()));
         info.fromHits = !from.empty();
         if (info.fromHits && mode.countSteps)
             s.steps.upload(std::span<const StepCount>(result.steps).subspan(first, batch.size()));
-        for (const DeviceTree* tree : forest.trees) {
-            info.tree = tree->address();
+        for (const uint64_t tree : trees) {
+            info.tree = tree;
             s.trace(traced, info, result);
             info.fromHits = true;
         }
@@ -144,7 +156,7 @@ Tracer::Result Tracer::all(const DeviceTree& tree, std::span<const Ray> rays, ui
     const size_t batch = s.batchOf(hitsPerRay);
     for (size_t first = 0; first < rays.size(); first += batch) {
         const std::span<const Ray> some = rays.subspan(first, std::min(batch, rays.size() - first));
-        const TraceInfo info = s.placed(tree, some, {Query::all}, hitsPerRay);
+        const TraceInfo info = s.placed(tree.address(), some, {Query::all}, hitsPerRay);
         result.invalidRays += s.run(traced, info, result.ms).invalidRays;
         s.hits.read(0, &result.hits[first * hitsPerRay], some.size() * hitsPerRay * sizeof(Hit));
     }
@@ -159,7 +171,7 @@ Tracer::Counts Tracer::count(const DeviceTree& tree, std::span<const Ray> rays, 
     result.counts.resize(rays.size());
     for (size_t first = 0; first < rays.size(); first += s.limits.batch) {
         const std::span<const Ray> batch = s.batchAt(rays, first);
-        const TraceInfo info = s.placed(tree, batch, mode);
+        const TraceInfo info = s.placed(tree.address(), batch, mode);
         result.invalidRays += s.run(traced, info, result.ms).invalidRays;
         s.hits.read(0, &result.counts[first], batch.size() * sizeof(int32_t));
     }
@@ -168,11 +180,22 @@ Tracer::Counts Tracer::count(const DeviceTree& tree, std::span<const Ray> rays, 
 
 std::vector<double> Tracer::time(const DeviceTree& tree, std::span<const Ray> rays, const TraceMode& mode,
                                  uint32_t runs) {
+    return timeFrom(tree.address(), rays, mode, runs);
+}
+
+std::vector<double> Tracer::time(const DeviceInstances& instances, std::span<const Ray> rays, TraceMode mode,
+                                 uint32_t runs) {
+    mode.instances = true;
+    return timeFrom(instances.address(), rays, mode, runs);
+}
+
+std::vector<double> Tracer::timeFrom(uint64_t address, std::span<const Ray> rays, const TraceMode& mode,
+                                     uint32_t runs) {
     State& s = *state_;
     const Context& traced = context(mode);
     std::vector<double> ms(runs, 0.0);
     for (size_t first = 0; first < rays.size(); first += s.limits.batch) {
-        const TraceInfo info = s.placed(tree, s.batchAt(rays, first), mode);
+        const TraceInfo info = s.placed(address, s.batchAt(rays, first), mode);
         const auto once = [&] {
             Result result;
             s.trace(traced, info, result);

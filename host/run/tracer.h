@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "run/device_instances.h"
 #include "run/device_tree.h"
 #include "shared/ray.h"
 #include "shared/step_count.h"
@@ -38,6 +39,8 @@ class Tracer {
     // `from`: hits of another tree to go on from, one per ray; empty: none.
     Result trace(const Forest& forest, std::span<const Ray> rays, const TraceMode& mode = {},
                  std::span<const Hit> from = {});
+    // Through meshes in places; whatever the mode says of that.
+    Result trace(const DeviceInstances& instances, std::span<const Ray> rays, TraceMode mode = {});
 
     // The first `hitsPerRay` crossings of each ray, in rows of as many whose rest are misses: by t and then by number,
     // an edge or a vertex of a closed surface once (docs/queries.md).
@@ -54,6 +57,8 @@ class Tracer {
     // Traces the same rays `runs` times, after a warm-up (base/warm_up.h), with rays and hits staying on the device:
     // the milliseconds that each took there.
     std::vector<double> time(const DeviceTree& tree, std::span<const Ray> rays, const TraceMode& mode, uint32_t runs);
+    std::vector<double> time(const DeviceInstances& instances, std::span<const Ray> rays, TraceMode mode,
+                             uint32_t runs);
 
     // The context that traces in a mode, made when it is first asked for. CPU devices compile at the first dispatch:
     // one without rays is run, so that a query's time is the query's.
@@ -62,6 +67,10 @@ class Tracer {
     double setupMilliseconds() const;
 
   private:
+    Result traceFrom(std::span<const uint64_t> trees, std::span<const Ray> rays, const TraceMode& mode,
+                     std::span<const Hit> from);
+    std::vector<double> timeFrom(uint64_t address, std::span<const Ray> rays, const TraceMode& mode, uint32_t runs);
+
     struct State;
     std::unique_ptr<State> state_;
 };

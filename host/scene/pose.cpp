@@ -7,6 +7,7 @@
 #include "scene/node_transforms.h"
 #include "scene/place_camera.h"
 #include "scene/pose_primitive.h"
+#include "scene/shared_pose.h"
 #include "scene/skin_matrices.h"
 #include "scene/triangle_count.h"
 
@@ -26,8 +27,11 @@ std::string nameOf(const Scene& scene, uint32_t node) {
 // The scene while it is posed.
 class Posing {
   public:
-    Posing(const Scene& scene, const PoseTime& time, size_t mostTriangles, Detail detail)
+    // `sharing`: which meshes are kept once; null: none.
+    Posing(const Scene& scene, const PoseTime& time, size_t mostTriangles, Detail detail,
+           const Sharing* sharing = nullptr)
         : scene_(scene),
+          sharing_(sharing),
           detail_(detail),
           budget_{mostTriangles, kTermsPerTriangle * mostTriangles},
           states_(restStates(scene)) {
@@ -37,27 +41,49 @@ class Posing {
         for (const NodeState& state : states_) local.push_back(matrixOf(state.transform));
         toWorld_ = worldTransforms(scene, local);
         const size_t count = countTriangles(scene, mostTriangles);
+        if (sharing) return;
         posed_.triangles.reserve(count);
         posed_.materialOf.reserve(count);
     }
 
     PosedScene run() {
+        addNodes();
+        if (const auto warning = nonFiniteWarning(posed_.triangles)) warnings_.add(*warning);
+        return finished();
+    }
+
+    SharedPose runShared() {
+        addNodes();
+        shared_.triangles = numbersUsed();
+        shared_.posed = finished();
+        return std::move(shared_);
+    }
+
+  private:
+    void addNodes() {
         for (uint32_t node : shownNodes(scene_)) addNode(node);
         completeCorners(posed_);
-        warnOfNonFinite();
+    }
+
+    PosedScene finished() {
         posed_.warnings = warnings_.list();
         return std::move(posed_);
     }
 
-  private:
+    size_t numbersUsed() const { return posed_.triangles.size() + placed_; }
+
     void addNode(uint32_t index) {
         const gltf::Node& node = scene_.nodes[index];
         if (node.camera) addCamera(index);
         if (node.light) addLight(index);
         if (node.mesh) {
-            const size_t before = posed_.triangles.size();
+            const size_t before = numbersUsed();
+            const size_t first = posed_.triangles.size();
             addMesh(index);
-            posed_.meshes.push_back({index, posed_.triangles.size() - before});
+            posed_.meshes.push_back({index, numbersUsed() - before});
+            if (!sharing_) return;
+            for (size_t i = first; i < posed_.triangles.size(); ++i)
+                shared_.numbers.push_back(uint32_t(before + i - first));
         }
     }
 
@@ -87,19 +113,39 @@ class Posing {
         const Deformation deformation{&states_[index].weights, hasSkin ? &skins_.of(*node.skin) : nullptr};
         const InstanceTransforms instances(scene_, node);
         MeshPosing posing{scene_, deformation, instances.count(), detail_, budget_, posed_.leftOut, warnings_};
+        const bool isShared = sharing_ && sharing_->meshes[*node.mesh] && !node.skin;
         std::vector<PosablePrimitive> primitives;  // where there are instances, which need all of them one by one
         const std::vector<gltf::Primitive>& all = scene_.meshes[*node.mesh].primitives;
         for (size_t p = 0; p < all.size(); ++p) {
             auto primitive = posing.prepare(all[p], name + ", primitive " + std::to_string(p));
-            if (primitive && hasInstances(scene_, node))
+            if (primitive && (isShared || hasInstances(scene_, node)))
                 primitives.push_back(std::move(*primitive));
             else if (primitive)
                 primitive->appendTo(posed_, toWorld_[index]);
         }
         for (size_t i = 0; i < instances.count() && !primitives.empty(); ++i) {
-            const glm::dmat4 toWorld = toWorld_[index] * instances[i];
-            for (const PosablePrimitive& primitive : primitives) primitive.appendTo(posed_, toWorld);
+            const glm::dmat4 toWorld = hasInstances(scene_, node) ? toWorld_[index] * instances[i] : toWorld_[index];
+            if (isShared)
+                place(*node.mesh, primitives, toWorld);
+            else
+                for (const PosablePrimitive& primitive : primitives) primitive.appendTo(posed_, toWorld);
         }
+    }
+
+    // Keeps a mesh as its file has it: an identity moves no float.
+    uint32_t keptOnce(uint32_t mesh, const std::vector<PosablePrimitive>& primitives) {
+        const auto [known, isNew] = kept_.try_emplace(mesh, uint32_t(shared_.meshes.size()));
+        if (!isNew) return known->second;
+        PosedScene own;
+        for (const PosablePrimitive& primitive : primitives) primitive.appendTo(own, glm::dmat4(1.0));
+        shared_.meshes.push_back({std::move(own.triangles), std::move(own.materialOf)});
+        return known->second;
+    }
+
+    void place(uint32_t mesh, const std::vector<PosablePrimitive>& primitives, const glm::dmat4& toWorld) {
+        const uint32_t kept = keptOnce(mesh, primitives);
+        shared_.places.push_back({kept, uint32_t(numbersUsed()), toWorld});
+        placed_ += shared_.meshes[kept].triangles.size();
     }
 
     bool isPlacedBySkin(uint32_t skin, const std::string& name) {
@@ -110,17 +156,8 @@ class Posing {
         return false;
     }
 
-    void warnOfNonFinite() {
-        auto isBad = [](const Triangle& t) { return !isFinite3(t.a) || !isFinite3(t.b) || !isFinite3(t.c); };
-        const std::vector<Triangle>& all = posed_.triangles;
-        const auto bad = std::count_if(all.begin(), all.end(), isBad);
-        if (bad == 0) return;
-        const auto first = std::find_if(all.begin(), all.end(), isBad);
-        warnings_.add(std::to_string(bad) + " triangles have a vertex that is not finite, the first is number " +
-                      std::to_string(first - all.begin()));
-    }
-
     const Scene& scene_;
+    const Sharing* sharing_;
     Detail detail_;
     Budget budget_;
     Warnings warnings_;
@@ -128,12 +165,29 @@ class Posing {
     std::vector<glm::dmat4> toWorld_;
     SkinMatrices skins_{scene_, toWorld_};
     PosedScene posed_;
+    SharedPose shared_;
+    std::map<uint32_t, uint32_t> kept_;  // mesh -> its index in shared_
+    size_t placed_ = 0;                  // triangles of places
 };
 
 }  // namespace
 
+std::optional<std::string> nonFiniteWarning(std::span<const Triangle> triangles, std::span<const uint32_t> numbers) {
+    auto isBad = [](const Triangle& t) { return !isFinite3(t.a) || !isFinite3(t.b) || !isFinite3(t.c); };
+    const auto bad = std::count_if(triangles.begin(), triangles.end(), isBad);
+    if (bad == 0) return std::nullopt;
+    const auto first = size_t(std::find_if(triangles.begin(), triangles.end(), isBad) - triangles.begin());
+    return std::to_string(bad) + " triangles have a vertex that is not finite, the first is number " +
+           std::to_string(numbers.empty() ? first : numbers[first]);
+}
+
 PosedScene pose(const Scene& scene, const PoseTime& time, size_t mostTriangles, Detail detail) {
     return naming("cannot pose '" + scene.name + "'", [&] { return Posing(scene, time, mostTriangles, detail).run(); });
+}
+
+SharedPose poseShared(const Scene& scene, const PoseTime& time, const Sharing& sharing, size_t mostTriangles) {
+    return naming("cannot pose '" + scene.name + "'",
+                  [&] { return Posing(scene, time, mostTriangles, Detail::triangles, &sharing).runShared(); });
 }
 
 }  // namespace cleave

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "scene/refuse.h"
+#include "shared/geometry.h"
 
 namespace cleave {
 namespace {
@@ -27,8 +28,8 @@ std::vector<JointAccessors> jointSets(const gltf::Primitive& primitive, const De
 
 // Transforms a point in double; this is the only place where positions are rounded to float.
 vec3 transformed(const glm::dmat4& m, const glm::dvec3& p) {
-    const glm::dvec4 q = m[0] * p.x + m[1] * p.y + m[2] * p.z + m[3];
-    return {float(q.x), float(q.y), float(q.z)};
+    const auto row = [&](int i) { return float(transformedBy(m[0][i], m[1][i], m[2][i], m[3][i], p)); };
+    return {row(0), row(1), row(2)};
 }
 
 }  // namespace

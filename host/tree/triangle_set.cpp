@@ -36,4 +36,11 @@ TriangleSet makeTriangleSet(std::span<const Triangle> world, std::span<const uin
     return set;
 }
 
+std::vector<Triangle> trianglesOf(std::span<const Triangle> world, std::span<const uint32_t> list) {
+    std::vector<Triangle> listed;
+    listed.reserve(list.size());
+    for (const uint32_t number : list) listed.push_back(world[number]);
+    return listed;
+}
+
 }  // namespace cleave

@@ -22,4 +22,7 @@ struct TriangleSet {
 // Scales, and leaves out what is not finite or has exactly no area. A triangle that is left out keeps its number.
 TriangleSet makeTriangleSet(std::span<const Triangle> world, std::span<const uint32_t> list = {});
 
+// Those of the triangles, in their order, as a scene of their own.
+std::vector<Triangle> trianglesOf(std::span<const Triangle> world, std::span<const uint32_t> list);
+
 }  // namespace cleave

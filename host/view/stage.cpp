@@ -117,11 +117,16 @@ struct Stage::Workshop {
     StagedTree built(const Staged& next, const StageWish& wish, std::shared_ptr<const std::vector<uint32_t>> list) {
         StagedTree made;
         made.set = next.geometry->set;
-        if (list) made.set = std::make_shared<TriangleSet>(makeTriangleSet(next.geometry->posed.triangles, *list));
+        if (list)
+            made.set =
+                std::make_shared<TriangleSet>(makeTriangleSet(trianglesOf(next.geometry->posed.triangles, *list)));
         if (wish.builder == Builder::gpu) {
             const std::span<const uint32_t> numbers = list ? std::span(*list) : std::span<const uint32_t>();
             const GpuBuilder::Result result = kit.builder().build(onDevice(next.geometry), wish.settings, numbers);
-            made.tree = std::make_shared<KdTree>(readBack(*result.tree));
+            KdTree tree = readBack(*result.tree);
+            for (uint32_t& triangle : tree.leafTriangles)
+                if (list) triangle = static_cast<uint32_t>(std::ranges::lower_bound(*list, triangle) - list->begin());
+            made.tree = std::make_shared<KdTree>(std::move(tree));
             made.buildMs = result.ms;
             made.peakBytes = result.peakBytes;
         } else {

@@ -57,8 +57,8 @@ struct StagedPose {
 // A tree over all triangles of a pose, or over some of them.
 struct StagedTree {
     std::shared_ptr<const KdTree> tree;
-    std::shared_ptr<const TriangleSet> set;             // what it was built over
-    std::shared_ptr<const std::vector<uint32_t>> list;  // numbers of its triangles; null: all
+    std::shared_ptr<const TriangleSet> set;             // what it was built over; its triangles are the list's alone
+    std::shared_ptr<const std::vector<uint32_t>> list;  // their numbers; null: all
     TreeStatistics statistics;
     double buildMs = 0.0;
     uint64_t peakBytes = 0;  // of the build

@@ -31,7 +31,7 @@ vec3 worldVertex(GeometryData g, uint corner) {
     for (uint row = 0u; row < 3u; row++) {
         uint m = 4u * row;
         q[row] = float(transformedBy(g.transform.at[m], g.transform.at[m + 1u], g.transform.at[m + 2u],
-                                     g.transform.at[m + 3u], p));
+                                     g.transform.at[m + 3u], dvec3(p)));
     }
     return q;
 }

@@ -11,6 +11,10 @@ layout(constant_id = 2) const uint kTriangleTest = 0u;
 #define CLEAVE_TEST kTriangleTest
 #include "cleave.glsl"
 #include "trace_push.glsl"
+// TRACES_INSTANCES: what is traced is a scene of places, and not a tree.
+#ifdef TRACES_INSTANCES
+#include "lib/instances.glsl"
+#endif
 
 // CLEAVE_MORE_PUSH: what a kernel is given beside it.
 #ifndef CLEAVE_MORE_PUSH
@@ -42,7 +46,11 @@ void main() {
     CleaveRay ray = push.rays.at[i];
     bool valid = cleaveIsValidRay(ray);
     bool finished = true;
+#ifdef TRACES_INSTANCES
+    if (valid) searchInstances(PlacedSceneRef(uvec2(push.tree)), ray, kAnyHit, hit, steps);
+#else
     if (valid) finished = cleaveSearch(push.tree, ray, kAnyHit, push.stepLimit, hit, trail, steps);
+#endif
     if (!valid || !(finished || has(kCleaveTraceTrails))) hit = cleaveMissedHit();
 
     if (has(kCleaveTraceCounters)) count(valid, finished);

@@ -15,6 +15,11 @@
 #define CLEAVE_TEST kWatertightTest
 #endif
 
+// Whether the tree is that of a mesh that stands in a place: see lib/instances.glsl.
+#ifndef CLEAVE_INSTANCES
+#define CLEAVE_INSTANCES false
+#endif
+
 // Whether the work of rays is counted.
 #ifndef CLEAVE_COUNT_STEPS
 #define CLEAVE_COUNT_STEPS false
@@ -30,6 +35,33 @@ bool acceptsAll(uint number, float u, float v) { return true; }
 #endif
 #ifndef CLEAVE_ACCEPTS
 #define CLEAVE_ACCEPTS acceptsAll
+#endif
+
+vec3 asItIs(vec3 vertex) { return vertex; }
+uint asCounted(uint number) { return number; }
+bool leavesNothingOut(vec3 a, vec3 b, vec3 c) { return false; }
+float asMeasured(float t) { return t; }
+void asTheRayIs(inout vec3 origin, inout float tMin, inout vec3 direction, inout float tMax, inout float error) {}
+
+// Such a tree has its own space and numbers. Where its vertices are among the ray's, what number a triangle has in the
+// scene, and which triangles do not count there:
+#ifndef CLEAVE_PLACED_VERTEX
+#define CLEAVE_PLACED_VERTEX asItIs
+#endif
+#ifndef CLEAVE_PLACED_NUMBER
+#define CLEAVE_PLACED_NUMBER asCounted
+#endif
+#ifndef CLEAVE_LEAVES_OUT
+#define CLEAVE_LEAVES_OUT leavesNothingOut
+#endif
+
+// The ray in the space of the tree, and how far from it, at its t, a point may be where the ray itself meets a
+// triangle; and a t of the ray itself, rounded up, as one of that.
+#ifndef CLEAVE_PLACED_RAY
+#define CLEAVE_PLACED_RAY asTheRayIs
+#endif
+#ifndef CLEAVE_PLACED_T
+#define CLEAVE_PLACED_T asMeasured
 #endif
 
 const float kWiden = 9.5367431640625e-07;  // 2^-20 = 16 u
@@ -62,6 +94,8 @@ KdNode nodeAt(TreeParts tree, uint i) {
     n.link = words.y;
     return n;
 }
+
+// As rays are tested against it.
 TreeTriangle triangleAt(TreeParts tree, uint i) {
     uvec2 w0 = unpackDouble2x32(tree.triangles.at[5u * i]);
     uvec2 w1 = unpackDouble2x32(tree.triangles.at[5u * i + 1u]);
@@ -73,6 +107,12 @@ TreeTriangle triangleAt(TreeParts tree, uint i) {
     t.b = uintBitsToFloat(uvec3(w1.y, w2));
     t.c = uintBitsToFloat(uvec3(w3, w4.x));
     t.number = w4.y;
+    if (CLEAVE_INSTANCES) {
+        t.a = CLEAVE_PLACED_VERTEX(t.a);
+        t.b = CLEAVE_PLACED_VERTEX(t.b);
+        t.c = CLEAVE_PLACED_VERTEX(t.c);
+        t.number = CLEAVE_PLACED_NUMBER(t.number);
+    }
     return t;
 }
 
@@ -122,12 +162,15 @@ bool clipTo(Box box, vec3 origin, vec3 direction, vec3 inverse, float error, ino
 // Components of the direction below 1e-20 count as that large, and planes within 4 units in the last place (and 3e-19)
 // of the ray's coordinate there as planes that the ray lies in: it goes to one child, or to both where it lies in the
 // plane, without a case of its own.
+//
+// The tree of a mesh is entered by the ray in its space, with the error of that.
 bool enterRoot(Box box, ScaledRay ray, out Walk walk, out float tMin, out float tMax) {
+    float error = 0.0;
+    if (CLEAVE_INSTANCES) CLEAVE_PLACED_RAY(ray.origin, ray.tMin, ray.direction, ray.tMax, error);
     tMin = ray.tMin;
     tMax = ray.tMax;
     vec3 inverse = vec3(1.0) / ray.direction;
     vec3 origin = ray.origin;
-    float error = 0.0;
     walk.start = 0.0;
     bool enters = clipTo(box, origin, ray.direction, inverse, error, tMin, tMax);
     if (enters && tMin > kFar) {
@@ -135,7 +178,7 @@ bool enterRoot(Box box, ScaledRay ray, out Walk walk, out float tMin, out float 
         walk.start = tMin * (1.0 - 2.0 * kWiden);
         vec3 entry = vec3(dvec3(ray.origin) + double(walk.start) * dvec3(ray.direction));
         origin = clamp(entry, box.lo - kFar, box.hi + kFar);
-        error = 2.0e-6 + 9.0e-16 * largestComponent(ray.origin) + 1.001 * largestComponent(entry - origin);
+        error += 2.0e-6 + 9.0e-16 * largestComponent(ray.origin) + 1.001 * largestComponent(entry - origin);
         tMin = 0.0;
         tMax = tMax * (1.0 + 2.0 * kWiden) - walk.start;
         tMax += tMax * kWiden;
@@ -200,7 +243,9 @@ Best bestOf(Hit given, ScaledRay ray) {
 
 // The walk's parameter beyond which no hit is closer than `best`, nor as close: the t of hits are rounded.
 float limitOf(Best best, Walk walk) {
-    float t = best.tHigh + abs(best.tHigh) * kWiden - walk.start;
+    float t = best.tHigh + abs(best.tHigh) * kWiden;
+    if (CLEAVE_INSTANCES) t = CLEAVE_PLACED_T(t);
+    t -= walk.start;
     return t + abs(t) * kWiden;
 }
 
@@ -215,6 +260,7 @@ FilteredHit filtered(ScaledRay ray, TreeTriangle t) {
 }
 
 Hit decided(ScaledRay ray, TreeTriangle t) {
+    if (CLEAVE_INSTANCES && CLEAVE_LEAVES_OUT(t.a, t.b, t.c)) return missedHit();
     if (CLEAVE_TEST == kPlainTest) return plainTriangle(ray.origin, ray.direction, t.a, t.b, t.c);
     return resolveTriangle(ray.origin, ray.direction, t.a, t.b, t.c);
 }

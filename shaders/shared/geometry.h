@@ -20,14 +20,15 @@ struct GeometryData {
 };
 CLEAVE_SIZE(GeometryData, 48);
 
-// One row of an affine map, applied in double.
-CLEAVE_FN double transformedBy(float x, float y, float z, float w, vec3 p) {
-    precise double a = double(x) * double(p.x);
-    precise double b = double(y) * double(p.y);
-    precise double c = double(z) * double(p.z);
+// One row of an affine map, applied in double. Whatever places a vertex does it by this, in this order: a vertex is the
+// same to the last bit wherever it is made.
+CLEAVE_FN double transformedBy(double x, double y, double z, double w, dvec3 p) {
+    precise double a = x * p.x;
+    precise double b = y * p.y;
+    precise double c = z * p.z;
     precise double sum = a + b;
     sum = sum + c;
-    sum = sum + double(w);
+    sum = sum + w;
     return sum;
 }
 

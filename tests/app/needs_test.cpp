@@ -41,7 +41,7 @@ TEST(Needs, AFlatAxisIsFoundByItsBounds) {
             if (axis >= 0) (*corner)[axis] = 0.5f;
         posed.triangles = {t};
         Needs needs;
-        findInScene(needs, {}, posed, true);
+        findInScene(needs, {}, finiteBounds(posed.triangles), true);
         return needs.line();
     };
     EXPECT_EQ(flatAlong(-1), "");
@@ -49,7 +49,7 @@ TEST(Needs, AFlatAxisIsFoundByItsBounds) {
     EXPECT_EQ(flatAlong(1), "left out: y axis\n");
     EXPECT_EQ(flatAlong(2), "left out: z axis\n");
     Needs needs;
-    findInScene(needs, {}, {}, true);
+    findInScene(needs, {}, emptyBox(), true);
     EXPECT_EQ(needs.line(), "") << "without a triangle no axis is flat";
 }
 

@@ -321,7 +321,7 @@ TEST(FrameFiles, HaveFourDigitsOrMore) {
 }
 
 TEST(Options, OptionsOfLaterAreNotTakenYet) {
-    for (const char* option : {"--instances", "--lazy", "--aperture"}) {
+    for (const char* option : {"--lazy", "--aperture"}) {
         expectRefused({"render", option, "4"}, option);
         expectRefused({"render", option, "4"}, "--size");
     }

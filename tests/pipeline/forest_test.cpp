@@ -23,7 +23,7 @@ struct Wood {
         for (uint32_t first = 0; first < count; first++) {
             std::vector<uint32_t> list;
             for (uint32_t i = first; i < world.size(); i += count) list.push_back(i);
-            const TriangleSet set = makeTriangleSet(world, list);
+            const TriangleSet set = makeTriangleSet(trianglesOf(world, list));
             trees.push_back(first % 2 == 0 ? builder.build(triangles, BuildSettings{}, list).tree
                                            : uploadTree(device(), set, buildExact(set, BuildSettings{}), list));
         }

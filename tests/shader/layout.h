@@ -5,6 +5,7 @@
 #include "shared/compact.h"
 #include "shared/peer_trace.h"
 #include "shared/picture_args.h"
+#include "shared/placed_mesh.h"
 #include "shared/query.h"
 #include "shared/trace.h"
 
@@ -44,6 +45,9 @@ struct LayoutRecord {
     PicturePush picturePush;
     PeerTracePush peerPush;
     QueryPush queryPush;
+    PlacedMesh placed;
+    PlaceNode placeNode;
+    PlacedScene placedScene;
 };
 
 // The fields of the structs that were added last, in their order: what both sides walk, counting up from kFirstListed.
@@ -106,7 +110,13 @@ struct LayoutRecord {
     ADDRESS(compactPush.from, Tree) ADDRESS(compactPush.to, Tree) UINT(compactPush.invocations)                  \
     ADDRESS(picturePush.args, PictureArgsRef) UINT(picturePush.round) UINT(picturePush.path) UINT(picturePush.first) UINT(picturePush.end)                                            \
     ADDRESS(peerPush.scene, uvec2) ADDRESS(peerPush.rays, RayArray) ADDRESS(peerPush.hits, HitArray)             \
-    UINT(peerPush.rayCount) UINT(peerPush.reserved)
+    UINT(peerPush.rayCount) UINT(peerPush.reserved)                                                              \
+    DOUBLE(placed.x.y) DOUBLE(placed.y.z) DOUBLE(placed.z.x) DOUBLE(placed.origin.z) DOUBLE(placed.inverseX.x)   \
+    DOUBLE(placed.inverseY.y) DOUBLE(placed.inverseZ.z) FLOAT(placed.error) FLOAT(placed.norm)                   \
+    ADDRESS(placed.tree, Tree) UINT(placed.first) INT(placed.shift) UINT(placed.isWorld) UINT(placed.reserved)   \
+    FLOAT(placeNode.box.hi.x) UINT(placeNode.axis) UINT(placeNode.reserved)                                      \
+    ADDRESS(placedScene.nodes, PlaceNodeArray) ADDRESS(placedScene.meshes, PlacedMeshArray)                      \
+    UINT(placedScene.count) INT(placedScene.exponent)
 
 // clang-format on
 

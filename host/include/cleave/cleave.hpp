@@ -236,7 +236,7 @@ struct TraceSteps {
 };
 
 struct TraceInfo {
-    VkDeviceAddress tree = 0;  // the address given to cmdBuild() or cmdCompact()
+    VkDeviceAddress tree = 0;  // the address given to cmdBuild() or cmdCompact(); of a PlacedScene with mode.instances
     VkDeviceAddress rays = 0;  // TraceRay
     // TraceHit, one per ray; for Query::all, hitsPerRay in a row per ray, whose rest are misses; for Query::count and
     // signedCount, an int32_t per ray.

@@ -32,6 +32,9 @@ struct TraceMode {
     Traversal traversal = Traversal::restart;
     TriangleTest test = TriangleTest::watertight;
     bool countSteps = false;  // counts nodes, leaves and tests per ray, so that others do not pay for it
+    // Closest and any hits: through meshes that stand in places (PlacedScene in shaders/shared/placed_mesh.h), not
+    // through one tree.
+    bool instances = false;
     bool operator==(const TraceMode&) const = default;
 };
 
