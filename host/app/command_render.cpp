@@ -2,21 +2,13 @@
 #include "app/picture_of.h"
 #include "app/render_instances.h"
 #include "app/report.h"
+#include "app/report_picture.h"
 #include "app/scene_trees.h"
 #include "base/error.h"
 #include "figures/legend.h"
 #include "formats/write_file.h"
 
 namespace cleave {
-namespace {
-
-Json passesJson(const Picture& picture) {
-    Json passes = Json::object();
-    for (const PassTime& pass : picture.passes) passes[pass.name] = numberJson(pass.ms);
-    return passes;
-}
-
-}  // namespace
 
 void runRender(Run& run) {
     const Options& options = run.options;
@@ -42,29 +34,14 @@ void runRender(Run& run) {
     request.goesOn = [&](uint32_t taken) { return watch.goesOn(taken); };
     Picture picture = renderer.render(forest, triangles, surfaces, request);
     run.progress.clear();
-    const uint64_t rays = uint64_t{options.width} * options.height * picture.samples;
-    if (options.view == View::steps || options.view == View::leaves) drawLegend(picture);
+    if (countsSteps(options.view)) drawLegend(picture);
 
     // The picture is written even if the check fails, so that it can be inspected.
     writeFile(options.output, bytesOf(options.output, picture, renderer));
-    Json report{
-        {"scene", sceneJson(session)},
-        {"build", trees.json()},
-        {"trace",
-         traceJson(request.traversal, request.test, rays, picture.traceMs, picture.invalidRays, picture.cappedRays)},
-        {"render", {{"ms", numberJson(picture.ms)}, {"samples", picture.samples}, {"passesMs", passesJson(picture)}}}};
-    report["build"]["setupMs"] = numberJson(run.device.setupMilliseconds());
     CheckResult check;
-    if (options.check > 0) {
-        check = checkPicture(run, session, forest, surfaces, request);
-        report["check"] = checkJson(check);
-    }
-    writeReport(run, report);
-    requireAnswered(picture.cappedRays, check, session.scene().name);
-
-    run.print(session.needs().line() + trees.lines() + tracedLine(rays, picture.traceMs, picture.invalidRays) +
-              (options.check > 0 ? checkedLine(check) : "") + "picture   " + options.output.string() +
-              (request.samples > 1 ? ", " + std::to_string(picture.samples) + " samples per pixel" : "") + "\n");
+    if (options.check > 0) check = checkPicture(run, session, forest, surfaces, request);
+    reportPicture(run, {session.scene().name, sceneJson(session), trees.json(), session.needs().line() + trees.lines(),
+                        request, picture, check});
     if (watch.wasInterrupted() && picture.samples < request.samples)
         throw Error("interrupted after " + std::to_string(picture.samples) + " of " + std::to_string(request.samples) +
                     " samples; " + options.output.string() + " has these");

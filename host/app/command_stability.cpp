@@ -47,6 +47,7 @@ SceneFigures sweepScene(Run& run, const std::string& name, const std::string& ab
     for (const Builder builder : builders) {
         run.progress.phase(oneLine(name) + " (" + nameOf(builder) + ")");
         const std::shared_ptr<TreeUnderTest> tree = buildForTest(run, builder, set, triangles);
+        buildHalves(run, builder, world, triangles, *tree);
         const TreeStatistics& s = tree->statistics;
         const double each =
             static_cast<double>(s.references) / static_cast<double>(std::max<size_t>(1, set.included.size()));

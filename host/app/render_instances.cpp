@@ -1,6 +1,7 @@
 #include "app/render_instances.h"
 
 #include "app/picture_of.h"
+#include "app/report_picture.h"
 #include "figures/legend.h"
 #include "formats/write_file.h"
 
@@ -22,19 +23,8 @@ void renderInstances(Run& run, InstancedSession session) {
     CheckResult check;
     if (options.check > 0)
         check = session.check(renderer.readRays(), renderer.readHits(), Query::closest, options.check);
-    const uint64_t rays = uint64_t{options.width} * options.height;
-    Json report{{"scene", sceneJson(session.facts(built))},
-                {"build", instancesBuildJson(session, built)},
-                {"trace", traceJson(request.traversal, request.test, rays, picture.traceMs, picture.invalidRays,
-                                    picture.cappedRays)},
-                {"render", {{"ms", numberJson(picture.ms)}, {"samples", picture.samples}}}};
-    report["build"]["setupMs"] = numberJson(run.device.setupMilliseconds());
-    if (options.check > 0) report["check"] = checkJson(check);
-    writeReport(run, report);
-    requireAnswered(picture.cappedRays, check, session.scene().name);
-    run.print(session.needs().line() + instancesLine(session, built) +
-              tracedLine(rays, picture.traceMs, picture.invalidRays) + (options.check > 0 ? checkedLine(check) : "") +
-              "picture   " + options.output.string() + "\n");
+    reportPicture(run, {session.scene().name, sceneJson(session.facts(built)), instancesBuildJson(session, built),
+                        session.needs().line() + instancesLine(session, built), request, picture, check});
 }
 
 }  // namespace cleave

@@ -8,6 +8,11 @@ namespace {
 
 constexpr uint64_t kStackWork = 20'000'000;  // rays times triangles of the walk on the host
 
+Forest halvesOf(const TreeUnderTest& tree) {
+    if (tree.halves.empty()) return *tree.onDevice;
+    return Forest({tree.halves[0].get(), tree.halves[1].get()});
+}
+
 }  // namespace
 
 std::shared_ptr<TreeUnderTest> buildForTest(Run& run, Builder builder, const TriangleSet& set,
@@ -29,17 +34,37 @@ std::shared_ptr<TreeUnderTest> buildForTest(Run& run, Builder builder, const Tri
     return tree;
 }
 
+// Triangles of even numbers, and the others.
+void buildHalves(Run& run, Builder builder, std::span<const Triangle> world, const DeviceTriangles& triangles,
+                 TreeUnderTest& tree) {
+    tree.halves.clear();
+    for (uint32_t first = 0; world.size() > 1 && first < 2; ++first) {
+        std::vector<uint32_t> list;
+        for (uint32_t i = first; i < world.size(); i += 2) list.push_back(i);
+        if (builder == Builder::gpu) {
+            tree.halves.push_back(run.device.builder().build(triangles, run.options.settings, list).tree);
+            continue;
+        }
+        const TriangleSet half = makeTriangleSet(trianglesOf(world, list));
+        const KdTree built = hostBuilder(builder.name).build(half, run.options.settings).tree;
+        tree.halves.push_back(uploadTree(run.device.device(), half, built, list));
+    }
+}
+
 std::vector<TraversalUnderTest> traversalsFor(Run& run, const TriangleSet& set) {
-    const auto onDevice = [&run](Traversal traversal, Query query) {
-        return [&run, traversal, query](const TreeUnderTest& tree, std::span<const Ray> rays) {
+    const auto onDevice = [&run](Traversal traversal, Query query, bool inHalves) {
+        return [&run, traversal, query, inHalves](const TreeUnderTest& tree, std::span<const Ray> rays) {
             const TraceMode mode{query, traversal, TriangleTest::watertight, true};
-            return run.device.tracer().trace(*tree.onDevice, rays, mode);
+            return run.device.tracer().trace(inHalves ? halvesOf(tree) : Forest(*tree.onDevice), rays, mode);
         };
     };
     std::vector<TraversalUnderTest> traversals;
-    for (const Query query : {Query::closest, Query::any})
+    for (const Query query : {Query::closest, Query::any}) {
         for (const Traversal t : kDeviceTraversals)
-            traversals.push_back({traversalName(nameOf(t), query), onDevice(t, query), UINT64_MAX, query});
+            traversals.push_back({traversalName(nameOf(t), query), onDevice(t, query, false), UINT64_MAX, query});
+        traversals.push_back(
+            {traversalName("two trees", query), onDevice(kDefaultTraversal, query, true), UINT64_MAX, query});
+    }
     traversals.push_back(hostStack(set, kStackWork, run.options.settings.threads));
     return traversals;
 }

@@ -14,9 +14,12 @@ inline constexpr std::array kDeviceTraversals{Traversal::restart, Traversal::sta
 // Builds with the settings of the run's options; the tree is on the host and on the device.
 std::shared_ptr<TreeUnderTest> buildForTest(Run& run, Builder builder, const TriangleSet& set,
                                             const DeviceTriangles& triangles);
+// Builds the trees of the two halves of a scene, too.
+void buildHalves(Run& run, Builder builder, std::span<const Triangle> world, const DeviceTriangles& triangles,
+                 TreeUnderTest& tree);
 
-// Those of the device, for closest and for any hits, with steps counted, and the walk on the host where it is
-// affordable.
+// Those of the device, for closest and for any hits, with steps counted, the fastest of them through two trees as well,
+// and the walk on the host where it is affordable.
 std::vector<TraversalUnderTest> traversalsFor(Run& run, const TriangleSet& set);
 
 }  // namespace cleave

@@ -26,7 +26,10 @@ inline TracePush tracePush(const TraceInfo& info) noexcept {
     push.stepLimit = info.stepLimit != 0 ? info.stepLimit : kDefaultStepLimit;
     push.hitsPerRay = info.hitsPerRay;
     push.flags = (info.fromHits ? kTraceFromHits : 0u) | (info.resumes ? kTraceResumes : 0u) |
-                 (info.trails ? kTraceTrails : 0u) | (info.counters ? kTraceCounters : 0u);
+                 (info.trails ? kTraceTrails : 0u) | (info.counters ? kTraceCounters : 0u) |
+                 (info.hitScale != HitScale::world ? kTraceBetween : 0u) |
+                 (info.hitScale == HitScale::last ? kTraceLast : 0u);
+    push.hitExponent = info.hitExponent;
     return push;
 }
 

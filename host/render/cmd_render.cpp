@@ -186,9 +186,12 @@ class PictureRecording {
     };
     // Tree by tree. A ray that is unfinished in one of them goes to the next with the hit that it has.
     void hits(PictureRays rays, const Context* context, TraceInfo trace, const Trails& trails) {
+        trace.hitExponent = info_.exponent;
         for (size_t tree = 0; tree < info_.trees.size(); tree++) {
             trace.tree = info_.trees[tree];
             trace.fromHits = tree > 0 && !trace.resumes;
+            if (info_.trees.size() > 1 && !trace.resumes)
+                trace.hitScale = tree + 1 < info_.trees.size() ? HitScale::between : HitScale::last;
             if (counts_.trails > 0) trace.trails = from<Trail>(trails.at, trails.first + tree * trails.ofTree);
             hitsInTree(rays, context, trace);
         }

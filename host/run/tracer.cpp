@@ -83,6 +83,7 @@ struct Tracer::State {
         TraceCounters counted = run(context, info, result.ms);
         result.invalidRays += counted.invalidRays;
         info.resumes = true;
+        if (info.hitScale == HitScale::last) info.hitScale = HitScale::world;
         for (uint32_t i = 1; counted.unfinishedRays > 0 && i < limits.mostDispatches; i++)
             counted = run(context, info, result.ms);
         result.cappedRays += counted.unfinishedRays;
@@ -114,17 +115,17 @@ Tracer::Result Tracer::trace(const Forest& forest, std::span<const Ray> rays, co
                              std::span<const Hit> from) {
     std::vector<uint64_t> addresses;
     for (const DeviceTree* tree : forest.trees) addresses.push_back(tree->address());
-    return traceFrom(addresses, rays, mode, from);
+    return traceFrom(addresses, forest.exponent(), rays, mode, from);
 }
 
 Tracer::Result Tracer::trace(const DeviceInstances& instances, std::span<const Ray> rays, TraceMode mode) {
     mode.instances = true;
     const uint64_t address = instances.address();
-    return traceFrom({&address, 1}, rays, mode, {});
+    return traceFrom({&address, 1}, 0, rays, mode, {});
 }
 
-Tracer::Result Tracer::traceFrom(std::span<const uint64_t> trees, std::span<const Ray> rays, const TraceMode& mode,
-                                 std::span<const Hit> from) {
+Tracer::Result Tracer::traceFrom(std::span<const uint64_t> trees, int exponent, std::span<const Ray> rays,
+                                 const TraceMode& mode, std::span<const Hit> from) {
     State& s = *state_;
     const Context& traced = context(mode);
     Result result;
@@ -137,8 +138,11 @@ Tracer::Result Tracer::traceFrom(std::span<const uint64_t> trees, std::span<cons
         info.fromHits = !from.empty();
         if (info.fromHits && mode.countSteps)
             s.steps.upload(std::span<const StepCount>(result.steps).subspan(first, batch.size()));
-        for (const uint64_t tree : trees) {
-            info.tree = tree;
+        info.hitExponent = exponent;
+        for (size_t tree = 0; tree < trees.size(); tree++) {
+            info.tree = trees[tree];
+            if (trees.size() > 1 && from.empty())
+                info.hitScale = tree + 1 < trees.size() ? HitScale::between : HitScale::last;
             s.trace(traced, info, result);
             info.fromHits = true;
         }

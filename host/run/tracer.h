@@ -67,7 +67,7 @@ class Tracer {
     double setupMilliseconds() const;
 
   private:
-    Result traceFrom(std::span<const uint64_t> trees, std::span<const Ray> rays, const TraceMode& mode,
+    Result traceFrom(std::span<const uint64_t> trees, int exponent, std::span<const Ray> rays, const TraceMode& mode,
                      std::span<const Hit> from);
     std::vector<double> timeFrom(uint64_t address, std::span<const Ray> rays, const TraceMode& mode, uint32_t runs);
 

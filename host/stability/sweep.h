@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "measure/statistics.h"
 #include "stability/cell.h"
@@ -13,7 +14,8 @@ namespace cleave {
 struct TreeUnderTest {
     std::string builder;
     KdTree tree;
-    std::shared_ptr<DeviceTree> onDevice;  // null where no traversal of the device is tested
+    std::shared_ptr<DeviceTree> onDevice;             // null where no traversal of the device is tested
+    std::vector<std::shared_ptr<DeviceTree>> halves;  // over every other triangle each; none of scenes of one or none
     TreeStatistics statistics;
     double buildMs = 0.0;
 };

@@ -21,19 +21,22 @@
 
 // Goes on from `hit`, which stays unless the tree has a closer one, and from `trail`, which is empty at first. For
 // any-hit queries a given hit is the answer. The ray must be valid. Returns false if the ray is given up at the limit;
-// called again with what it left in `hit` and `trail`, it goes on as if it had not been interrupted.
-bool search(Tree tree, Ray ray, bool anyHit, uint stepLimit, inout Hit hit, inout Trail trail, inout StepCount steps) {
+// called again with what it left in `hit` and `trail`, it goes on as if it had not been interrupted. The t of `hit` is in
+// units of 2^unit.
+bool search(Tree tree, Ray ray, int unit, bool anyHit, uint stepLimit, inout Hit hit, inout Trail trail,
+            inout StepCount steps) {
     if (anyHit && hit.prim != kNone) return true;
     TreeParts parts = partsOf(tree);
     ScaledRay scaled = scaledRay(ray, tree.at.exponent);
-    Best best = bestOf(scaledHit(hit, scaled.tExponent), scaled);
+    int tExponent = scaled.tExponent - unit;
+    Best best = bestOf(scaledHit(hit, tExponent), scaled);
     bool finished = true;
     if (CLEAVE_TRAVERSAL == kStackTraversal) traverseStack(parts, scaled, anyHit, best, steps);
     else if (CLEAVE_TRAVERSAL == kShortStackTraversal)
         finished = traverseShortStack(parts, scaled, anyHit, stepLimit, best, trail, steps);
     else finished = traverseRestart(parts, scaled, anyHit, stepLimit, best, trail, steps);
     // A hit that stays is not converted back: scaling may have moved its t out of the range of floats.
-    if (best.index != kNone) hit = worldHit(hitOf(parts, scaled, best), scaled.tExponent);
+    if (best.index != kNone) hit = worldHit(hitOf(parts, scaled, best), tExponent);
     return finished;
 }
 
@@ -53,7 +56,7 @@ Hit answer(Tree tree, vec3 origin, float tMin, vec3 direction, float tMax, bool 
     if (!isValidRay(ray)) return hit;
     Trail trail = emptyTrail();
     StepCount steps = noSteps();
-    return search(tree, ray, anyHit, CLEAVE_STEP_LIMIT, hit, trail, steps) ? hit : missedHit();
+    return search(tree, ray, 0, anyHit, CLEAVE_STEP_LIMIT, hit, trail, steps) ? hit : missedHit();
 }
 
 // The closest hit with tMin <= t <= tMax; ties go to the lower triangle number. The direction need not be of unit

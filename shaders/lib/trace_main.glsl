@@ -46,12 +46,14 @@ void main() {
     CleaveRay ray = push.rays.at[i];
     bool valid = cleaveIsValidRay(ray);
     bool finished = true;
+    int unit = has(kCleaveTraceBetween) ? push.hitExponent - cleaveDirectionExponent(ray) : 0;
 #ifdef TRACES_INSTANCES
     if (valid) searchInstances(PlacedSceneRef(uvec2(push.tree)), ray, kAnyHit, hit, steps);
 #else
-    if (valid) finished = cleaveSearch(push.tree, ray, kAnyHit, push.stepLimit, hit, trail, steps);
+    if (valid) finished = cleaveSearch(push.tree, ray, unit, kAnyHit, push.stepLimit, hit, trail, steps);
 #endif
     if (!valid || !(finished || has(kCleaveTraceTrails))) hit = cleaveMissedHit();
+    if (has(kCleaveTraceLast)) hit = cleaveWorldHit(hit, unit);
 
     if (has(kCleaveTraceCounters)) count(valid, finished);
     if (has(kCleaveTraceTrails)) push.trails.at[i] = finished ? cleaveFinishedTrail() : trail;

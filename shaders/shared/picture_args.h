@@ -71,7 +71,7 @@ struct SurfaceTracePush {
     TracePush trace;
     PicturePush picture;
 };
-CLEAVE_SIZE(SurfaceTracePush, 88);
+CLEAVE_SIZE(SurfaceTracePush, 96);
 
 CLEAVE_END
 #endif

@@ -57,8 +57,13 @@ struct ScaledRay {
     int tExponent;
 };
 
+// Of the largest component.
+CLEAVE_FN int directionExponent(Ray r) {
+    return max(binaryExponent(r.direction.x), max(binaryExponent(r.direction.y), binaryExponent(r.direction.z)));
+}
+
 CLEAVE_FN ScaledRay scaledRay(Ray r, int sceneExponent) {
-    int e = max(binaryExponent(r.direction.x), max(binaryExponent(r.direction.y), binaryExponent(r.direction.z)));
+    int e = directionExponent(r);
     ScaledRay s;
     s.origin = timesPowerOfTwo(r.origin, -sceneExponent);
     s.direction = timesPowerOfTwo(r.direction, -e);

@@ -19,6 +19,8 @@ CLEAVE_CONST uint kTraceFromHits = 1u;  // goes on from the hits that are there
 CLEAVE_CONST uint kTraceResumes = 2u;   // goes on from hits and trails, and leaves finished rays alone
 CLEAVE_CONST uint kTraceTrails = 4u;    // writes trails, so that unfinished rays can be resumed
 CLEAVE_CONST uint kTraceCounters = 8u;  // counts rays
+CLEAVE_CONST uint kTraceBetween = 16u;  // the t of hits is in units of 2^(hitExponent - exponent of the direction)
+CLEAVE_CONST uint kTraceLast = 32u;     // likewise, but for the hits that are written
 
 #ifndef __cplusplus
 #include "lib/trace_arrays.glsl"
@@ -35,8 +37,10 @@ struct TracePush {
     uint stepLimit;  // inner nodes and triangle tests after which a ray is given up
     uint flags;
     uint hitsPerRay;  // of the kernel that finds all
+    int hitExponent;  // used with kTraceBetween
+    uint reserved;
 };
-CLEAVE_SIZE(TracePush, 64);
+CLEAVE_SIZE(TracePush, 72);
 
 CLEAVE_END
 #endif

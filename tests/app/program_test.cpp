@@ -562,7 +562,7 @@ TEST_F(Program, StabilityPrintsATableAndWritesEveryCell) {
     EXPECT_EQ(json["brokenCells"], 0u);
     // Two builders; three traversals for two queries, and one on the host; a tetrahedron has no split plane, so three
     // families fewer.
-    EXPECT_EQ(json["cells"].size(), 2u * 7u * (13u + 16u));
+    EXPECT_EQ(json["cells"].size(), 2u * 9u * (13u + 16u));
     for (const auto& cell : json["cells"]) {
         EXPECT_EQ(cell["wrong"], 0u);
         EXPECT_EQ(cell["differing"], 0u);

@@ -96,6 +96,24 @@ TEST(Forest, AnswersAsOneTreeDoesAtAnyScale) {
     }
 }
 
+// Of directions so long that the t of all hits is below the smallest float, and 0 in the answer.
+TEST(Forest, TellsHitsApartWhoseTIsBelowTheSmallestFloat) {
+    constexpr uint32_t kSeed = 26;
+    const std::vector<Triangle> world = mixedTriangles(300, kSeed);
+    const auto one = oneTree(world);
+    const Wood wood(world, 3);
+    std::vector<Ray> rays = mixedRays(3000, kSeed);
+    for (Ray& ray : rays) {
+        const int up = 126 - directionExponent(ray);
+        ray.direction = timesPowerOfTwo(ray.direction, up);
+        ray.origin = timesPowerOfTwo(ray.origin, -6);
+    }
+    Tracer tracer(device());
+    const std::vector<Hit> want = tracer.trace(*one, rays).hits;
+    EXPECT_GT(std::ranges::count_if(want, [](const Hit& hit) { return hit.prim != kNone && hit.t == 0.0f; }), 100);
+    expectSameHits(tracer.trace(wood.forest(), rays).hits, want, Query::closest);
+}
+
 TEST(Forest, CountsTheStepsOfAllItsTrees) {
     const std::vector<Triangle> world = mixedTriangles(400, 23);
     const std::vector<Ray> rays = mixedRays(1000, 23);

@@ -103,7 +103,7 @@ struct LayoutRecord {
     ADDRESS(tracePush.tree, Tree) ADDRESS(tracePush.rays, RayArray) ADDRESS(tracePush.hits, HitArray)            \
     ADDRESS(tracePush.steps, StepCountArray) ADDRESS(tracePush.counters, TraceCountersRef)                       \
     ADDRESS(tracePush.trails, TrailArray) UINT(tracePush.rayCount) UINT(tracePush.stepLimit)                     \
-    UINT(tracePush.flags) UINT(tracePush.hitsPerRay)                                                             \
+    UINT(tracePush.flags) UINT(tracePush.hitsPerRay) INT(tracePush.hitExponent)                                  \
     ADDRESS(queryPush.tree, Tree) ADDRESS(queryPush.items, FloatArray) ADDRESS(queryPush.nearest, HitArray)      \
     ADDRESS(queryPush.answers, UintArray) ADDRESS(queryPush.first, UintArray)                                    \
     ADDRESS(queryPush.triangles, UintArray) UINT(queryPush.count) FLOAT(queryPush.within)                        \

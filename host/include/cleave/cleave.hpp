@@ -235,6 +235,12 @@ struct TraceSteps {
     uint32_t resolved;  // triangle tests that were decided in double
 };
 
+// How t is kept in hits. Rays go through several trees of a scene one after the other, from hits of the one before; t
+// may be below the smallest float for a ray whose direction is long, and which of two hits is closer would be lost.
+// So hits between trees keep t by a scale that suits the ray. world: t is itself. between: hits are read and written by
+// that scale. last: they are read so, and written in the world.
+enum class HitScale : uint32_t { world, between, last };
+
 struct TraceInfo {
     VkDeviceAddress tree = 0;  // the address given to cmdBuild() or cmdCompact(); of a PlacedScene with mode.instances
     VkDeviceAddress rays = 0;  // TraceRay
@@ -251,6 +257,10 @@ struct TraceInfo {
     // Goes on from the hits that are there, of another tree: the closer one stays, and for any-hit queries a hit ends
     // the ray at once. Steps are added to those that are there. Off: hits and steps are written only.
     bool fromHits = false;
+    // The first of several trees has `between` and not fromHits, the last one `last`. All have the same hitExponent,
+    // the largest TreeHeader::exponent of them.
+    HitScale hitScale = HitScale::world;
+    int32_t hitExponent = 0;
     // A dispatch gives up on a ray after so many nodes and triangles, so that no ray can hang a device: 0: 2^20. With
     // `trails` (8 bytes per ray) the ray is counted as unfinished, keeps its best hit so far, and goes on where it was
     // in a next call with `resumes`, which leaves finished rays alone.
