@@ -53,11 +53,7 @@ void SceneTrees::build(bool plain) {
     for (Part& part : parts_) {
         if (part.stays && part.built.onDevice) continue;
         part.built = {};  // the old one need not be beside the new one
-        if (plain || areSplit())
-            part.built =
-                plain ? session_.buildPlain(part.builder, part.list) : session_.buildPart(part.builder, part.list);
-        else
-            part.built = session_.build(part.builder);
+        part.built = plain ? session_.buildPlain(part.builder, part.list) : session_.build(part.builder, part.list);
         session_.upload(part.built);
         ms_ += part.built.ms;
         if (part.stays) staticMs_ += part.built.ms;

@@ -197,17 +197,10 @@ BuiltTree Session::buildPlain(Builder builder, std::span<const uint32_t> list) {
     return built;
 }
 
-BuiltTree Session::build(Builder builder, const BuildSettings& settings) {
+BuiltTree Session::build(Builder builder, const BuildSettings& settings, std::span<const uint32_t> list) {
     BuiltTree built = prepared(builder);
-    buildOnce(built, settings);
+    buildOnce(built, settings, list);
     finish(built, settings);
-    return built;
-}
-
-BuiltTree Session::buildPart(Builder builder, std::span<const uint32_t> list) {
-    BuiltTree built = prepared(builder);
-    buildOnce(built, settings_, list);
-    finish(built, settings_);
     return built;
 }
 

@@ -59,10 +59,9 @@ class Session {
     Builder chosenBuilder(bool showsTree);
 
     // With the settings of the run where none are given. Where the run names a saved tree, that one, loaded.
-    BuiltTree build(Builder builder) { return build(builder, settings_); }
-    BuiltTree build(Builder builder, const BuildSettings& settings);
-    // Over some of the triangles, by ascending numbers. It is on the device.
-    BuiltTree buildPart(Builder builder, std::span<const uint32_t> list);
+    // `list`: over some of the triangles, by ascending numbers; it is on the device then. Empty: over all.
+    BuiltTree build(Builder builder, std::span<const uint32_t> list = {}) { return build(builder, settings_, list); }
+    BuiltTree build(Builder builder, const BuildSettings& settings, std::span<const uint32_t> list = {});
     // Only the tree and its time: neither statistics nor a hash, which take longer.
     BuiltTree buildPlain(Builder builder, std::span<const uint32_t> list = {});
     // Builds the same tree `runs` times; on the device after a warm-up, and once more to see where the time goes.

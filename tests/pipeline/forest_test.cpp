@@ -138,11 +138,7 @@ TEST(Forest, ShowsWhatOneTreeShows) {
     const DeviceTriangles triangles(device(), small.world);
     const auto one = oneTree(small.world);
     const Wood wood(small.world, 2);
-    SurfaceData blended = small.data;
-    blended.materials[0].baseColour.w = 0.5f;
-    blended.materials[0].flags = kMaterialBlend;
-    blended.hasAlpha = true;
-    const DeviceSurfaces opaque(device(), small.data), seenThrough(device(), blended);
+    const DeviceSurfaces opaque(device(), small.data), seenThrough(device(), blended(small.data));
     Tracer tracer(device());
     Renderer usual(device(), tracer), limited(device(), tracer, {.stepLimit = 9});
     for (const DeviceSurfaces* surfaces : {&opaque, &seenThrough})

@@ -461,11 +461,7 @@ TEST(Record, PicturesAreTheSameInSlices) {
     const DeviceTriangles triangles(device(), small.world);
     const auto tree =
         uploadTree(device(), makeTriangleSet(small.world), buildExact(makeTriangleSet(small.world), BuildSettings{}));
-    SurfaceData blended = small.data;
-    blended.materials[0].baseColour.w = 0.5f;
-    blended.materials[0].flags = kMaterialBlend;
-    blended.hasAlpha = true;
-    const DeviceSurfaces opaque(device(), small.data), seenThrough(device(), blended);
+    const DeviceSurfaces opaque(device(), small.data), seenThrough(device(), blended(small.data));
     Tracer tracer(device());
     const size_t strip = size_t{8} * request.camera.width;
     Renderer whole(device(), tracer), sliced(device(), tracer, {.batch = 2 * strip + 1});

@@ -28,4 +28,12 @@ inline SmallPicture smallPicture(uint32_t triangles, uint32_t seed) {
     return small;
 }
 
+// The same surfaces, half of which rays look through.
+inline SurfaceData blended(SurfaceData data) {
+    data.materials[0].baseColour.w = 0.5f;
+    data.materials[0].flags = kMaterialBlend;
+    data.hasAlpha = true;
+    return data;
+}
+
 }  // namespace cleave::test
