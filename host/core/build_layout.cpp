@@ -1,6 +1,7 @@
 #include "core/build_layout.h"
 
 #include <algorithm>
+#include <span>
 
 namespace cleave {
 namespace {
@@ -40,9 +41,28 @@ Capacity capacityOf(const BuildInfo& info) noexcept {
     return c;
 }
 
-PassChoice choiceOf(const BuildInfo& info) noexcept {
-    const bool large = info.everything || triangleCountOf(info) > info.exactUpTo;
-    return {large, large && info.snap};
+Expansion planExpansion(const BuildInfo& info, OpenNode* nodes, uint32_t count) noexcept {
+    Expansion e;
+    e.count = count;
+    uint32_t chunks = 0;
+    for (OpenNode& node : std::span(nodes, count)) {
+        node.before = e.refs;
+        node.chunk = chunks;
+        e.refs += node.count;
+        e.depth = std::max(e.depth, node.depth);
+        chunks += chunksOf(node.count, info.exactUpTo);
+    }
+    return e;
+}
+
+uint32_t openLimit(const BuildInfo& info) noexcept {
+    return info.openUpTo == 0 ? 0 : std::max(info.openUpTo, info.exactUpTo);
+}
+
+PassChoice choiceOf(const BuildInfo& info, bool expands) noexcept {
+    const bool opens = info.openUpTo > 0 && !expands;
+    const bool large = info.everything || triangleCountOf(info) > (opens ? openLimit(info) : info.exactUpTo);
+    return {large, large && info.snap, !opens};
 }
 
 BuildCounts countsOf(const BuildInfo& info) noexcept {
@@ -91,7 +111,8 @@ GeometryData geometryData(const Geometry& g, uint32_t firstTriangle) noexcept {
     return d;
 }
 
-BuildArgs buildArgs(const BuildInfo& info, VkDeviceAddress tree, const Range* scratch, uint32_t row) noexcept {
+BuildArgs buildArgs(const BuildInfo& info, VkDeviceAddress tree, const Range* scratch, uint32_t row,
+                    const Expansion& expansion) noexcept {
     const BuildCounts n = countsOf(info);
     const ScratchLayout at = scratchLayout(n, info.largestRange);
     const auto address = [scratch](const Place& p) { return scratch[p.range].address + p.offset; };
@@ -114,7 +135,11 @@ BuildArgs buildArgs(const BuildInfo& info, VkDeviceAddress tree, const Range* sc
     a.nodeCapacity = static_cast<uint32_t>(n.nodes);
     a.leafRefCapacity = static_cast<uint32_t>(n.leafRefs);
     a.binCount = info.bins;
-    a.exactUpTo = info.exactUpTo;
+    a.exactUpTo = expansion.count > 0 || info.openUpTo == 0 ? info.exactUpTo : openLimit(info);
+    a.open = expansion.nodes;
+    a.openCount = expansion.count;
+    a.openRefs = expansion.refs;
+    a.openDepth = expansion.depth;
     a.maxDepth = info.maxDepth;
     a.clip = info.clip ? 1 : 0;
     a.subsample = info.subsample ? 1 : 0;

@@ -28,8 +28,9 @@ uint64_t triangleCountOf(const BuildInfo& info) noexcept;
 // info.capacity with the defaults filled in, at least a reference per triangle.
 Capacity capacityOf(const BuildInfo& info) noexcept;
 BuildCounts countsOf(const BuildInfo& info) noexcept;
-// Which passes the build takes: with fewer triangles than a large node has references there is none.
-PassChoice choiceOf(const BuildInfo& info) noexcept;
+// Which passes the build takes, or the expansion of an open tree: with fewer triangles than a large node has references
+// there is none.
+PassChoice choiceOf(const BuildInfo& info, bool expands = false) noexcept;
 
 // Arguments, state and geometries are always in range 0.
 struct ScratchLayout {
@@ -47,7 +48,8 @@ TreeLayout treeLayoutOf(const BuildCounts& n) noexcept;
 // A geometry as kernels read it; `firstTriangle` is the number of its first triangle.
 GeometryData geometryData(const Geometry& geometry, uint32_t firstTriangle) noexcept;
 
-// The arguments of a build as its kernels read them.
-BuildArgs buildArgs(const BuildInfo& info, VkDeviceAddress tree, const Range* scratch, uint32_t row) noexcept;
+// The arguments of a build, or of an expansion, as its kernels read them.
+BuildArgs buildArgs(const BuildInfo& info, VkDeviceAddress tree, const Range* scratch, uint32_t row,
+                    const Expansion& expansion = {}) noexcept;
 
 }  // namespace cleave

@@ -19,6 +19,10 @@ namespace cleave {
     ROW(make_refs, makeRefs, perRefBlock, wide, 0, all)           \
     ROW(begin, begin, once, own, 0, all)
 
+// Run once in place of these, where a tree that was left open is built further: sized like a level of the references of
+// its open nodes.
+#define CLEAVE_EXPAND_PASSES(ROW) ROW(expand, expand, perRefBlock, narrow, 0, all)
+
 // Run on every level.
 #define CLEAVE_LEVEL_PASSES(ROW)                                   \
     ROW(bounds, bounds, perChunk, narrow, 0, large)                \
@@ -27,7 +31,7 @@ namespace cleave {
     ROW(nearest, nearest, perChunk, narrow, 0, snapping)           \
     ROW(snap, snap, perChunkGroup, own, 0, snapping)               \
     ROW(subtrees, subtrees, perWorker, narrow, 0, all)             \
-    ROW(exact_split, exactSplit, perRefBlock, wide, 0, all)        \
+    ROW(exact_split, exactSplit, perRefBlock, wide, 0, exact)      \
     ROW(classify, classify, perRefBlock, narrow, 0, all)           \
     ROW(scan, scanRefs, once, wide, kScanRefs, all)                \
     ROW(offsets, offsets, perRefBlock, wide, 0, all)               \
@@ -44,13 +48,29 @@ namespace cleave {
 // small one for kernels that need many registers, or whose lanes add to the same few counters.
 enum class Lanes { own, wide, narrow };
 
-// All builds, those that may have large nodes, or those of these that move planes to faces.
-enum class Builds { all, large, snapping };
+// All builds, those that may have large nodes, those of these that move planes to faces, or those that leave no node
+// open.
+enum class Builds { all, large, snapping, exact };
 
 // What a build is of these.
 struct PassChoice {
     bool large = true;
     bool snapping = true;
+    bool exact = true;
+
+    bool has(Builds builds) const {
+        switch (builds) {
+            case Builds::large:
+                return large;
+            case Builds::snapping:
+                return snapping;
+            case Builds::exact:
+                return exact;
+            case Builds::all:
+                break;
+        }
+        return true;
+    }
 };
 
 struct BuildPass {
@@ -60,14 +80,13 @@ struct BuildPass {
     uint32_t scans;
     Builds builds;
 
-    bool runs(PassChoice choice) const {
-        return builds == Builds::all || (builds == Builds::large ? choice.large : choice.snapping);
-    }
+    bool runs(PassChoice choice) const { return choice.has(builds); }
 };
 
 #define CLEAVE_BUILD_PASS(kernel, twin, groups, lanes, scans, builds) \
     BuildPass{#kernel, offsetof(Level, groups), Lanes::lanes, scans, Builds::builds},
 inline constexpr BuildPass kSetupPasses[] = {CLEAVE_SETUP_PASSES(CLEAVE_BUILD_PASS)};
+inline constexpr BuildPass kExpandPasses[] = {CLEAVE_EXPAND_PASSES(CLEAVE_BUILD_PASS)};
 inline constexpr BuildPass kLevelPasses[] = {CLEAVE_LEVEL_PASSES(CLEAVE_BUILD_PASS)};
 inline constexpr BuildPass kLastPasses[] = {CLEAVE_LAST_PASSES(CLEAVE_BUILD_PASS)};
 #undef CLEAVE_BUILD_PASS

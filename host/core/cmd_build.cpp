@@ -33,7 +33,12 @@ class BuildRecording {
           info_(info),
           scratch_(scratch),
           args_(at.args.offset),
-          levels_(at.state.offset + offsetof(BuildState, level)) {}
+          buildState_(at.state.offset) {}
+
+    void arguments(const BuildArgs& args) {
+        recorder_.write(scratch_.buffer, scratch_.offset + args_, &args, sizeof(args));
+        recorder_.fillZero(scratch_.buffer, scratch_.offset + buildState_, sizeof(BuildState));
+    }
 
     // Sized by what the host knows.
     void once(const BuildPass& pass, const Level& level) {
@@ -42,23 +47,31 @@ class BuildRecording {
         recorder_.dispatch(state_.kernelOf(pass), push(pass, 0), size);
         note(pass.kernel);
     }
-    // Sized by what the device knows.
-    void onLevel(const BuildPass& pass, uint32_t depth) {
-        recorder_.dispatchIndirect(state_.kernelOf(pass), push(pass, depth), scratch_.buffer,
-                                   scratch_.offset + levels_ + depth * sizeof(Level) + pass.groups);
-        note(pass.kernel);
+    // Level by level, and what is left to do then.
+    void levels(PassChoice choice, uint32_t maxDepth, const Level& input) {
+        for (uint32_t depth = 0; depth <= maxDepth; depth++)
+            for (const BuildPass& pass : kLevelPasses)
+                if (pass.runs(choice)) onLevel(pass, depth);
+        for (const BuildPass& pass : kLastPasses) once(pass, input);
     }
     void note(const char* pass) {
         if (info_.onPass) info_.onPass(info_.user, recorder_.commands(), pass);
     }
 
   private:
+    // Sized by what the device knows.
+    void onLevel(const BuildPass& pass, uint32_t depth) {
+        recorder_.dispatchIndirect(
+            state_.kernelOf(pass), push(pass, depth), scratch_.buffer,
+            scratch_.offset + buildState_ + offsetof(BuildState, level) + depth * sizeof(Level) + pass.groups);
+        note(pass.kernel);
+    }
     const Context::State& state_;
     Recorder& recorder_;
     const BuildInfo& info_;
     const Range& scratch_;  // the first range
     uint64_t args_;
-    uint64_t levels_;
+    uint64_t buildState_;
 
     BuildPush push(const BuildPass& pass, uint32_t depth) const {
         return {scratch_.address + args_, depth, pass.scans};
@@ -73,28 +86,57 @@ void cmdBuild(VkCommandBuffer commands, const Context& context, const BuildInfo&
     Recorder recorder = state.recorder(commands);
     const BuildArgs args = buildArgs(info, tree.address, scratch, state.row);
     const ScratchLayout at = scratchLayout(countsOf(info), info.largestRange);
-    const auto offset = [scratch](const Place& place) { return scratch[0].offset + place.offset; };
-    recorder.write(scratch[0].buffer, offset(at.args), &args, sizeof(args));
-    writeGeometries(recorder, info, scratch[0].buffer, offset(at.geometries));
-    recorder.fillZero(scratch[0].buffer, offset(at.state), sizeof(BuildState));
     BuildRecording build(state, recorder, info, scratch[0], at);
+    build.arguments(args);
+    writeGeometries(recorder, info, scratch[0].buffer, scratch[0].offset + at.geometries.offset);
     build.note("arguments");
     const Level input = levelOf(args.triangleCount, 1, 0, 0, 0, state.row);
     for (const BuildPass& pass : kSetupPasses) build.once(pass, input);
-    const PassChoice choice = choiceOf(info);
-    const uint32_t maxDepth = depthLimit(info.maxDepth, args.triangleCount);
-    for (uint32_t depth = 0; depth <= maxDepth; depth++)
-        for (const BuildPass& pass : kLevelPasses)
-            if (pass.runs(choice)) build.onLevel(pass, depth);
-    for (const BuildPass& pass : kLastPasses) build.once(pass, input);
+    build.levels(choiceOf(info), depthLimit(info.maxDepth, args.triangleCount), input);
 }
 
-void cmdCompact(VkCommandBuffer commands, const Context& context, VkDeviceAddress from, const Range& to) noexcept {
+void cmdExpand(VkCommandBuffer commands, const Context& context, const BuildInfo& info, const Expansion& expansion,
+               const Range& tree, const Range* scratch) noexcept {
+    const Context::State& state = context.state();
+    Recorder recorder = state.recorder(commands);
+    const BuildArgs args = buildArgs(info, tree.address, scratch, state.row, expansion);
+    const ScratchLayout at = scratchLayout(countsOf(info), info.largestRange);
+    BuildRecording build(state, recorder, info, scratch[0], at);
+    build.arguments(args);
+    build.note("arguments");
+    const Level input = levelOf(expansion.refs, expansion.count, 0, 0, 0, state.row);
+    for (const BuildPass& pass : kExpandPasses) build.once(pass, input);
+    build.levels(choiceOf(info, true), depthLimit(info.maxDepth, args.triangleCount) - expansion.depth, input);
+}
+
+namespace {
+
+void copyTree(VkCommandBuffer commands, const Context& context, CompactPush push, const Range& to) noexcept {
     constexpr uint32_t kMostGroups = 4096;  // enough for any device; each invocation copies several entries
     const Context::State& state = context.state();
     const auto entries = to.size / sizeof(KdNode);
     const auto groups = static_cast<uint32_t>(std::min<VkDeviceSize>(entries / kGroup + 1, VkDeviceSize(kMostGroups)));
-    state.recorder(commands).dispatch(state.compact, CompactPush{from, to.address, groups * kGroup}, groups);
+    push.to = to.address;
+    push.invocations = groups * kGroup;
+    state.recorder(commands).dispatch(state.compact, push, groups);
+}
+
+}  // namespace
+
+void cmdCompact(VkCommandBuffer commands, const Context& context, VkDeviceAddress from, const Range& to) noexcept {
+    CompactPush push{};
+    push.from = from;
+    copyTree(commands, context, push, to);
+}
+
+void cmdMove(VkCommandBuffer commands, const Context& context, const BuildInfo& info, VkDeviceAddress from,
+             const Range& to) noexcept {
+    const Capacity capacity = capacityOf(info);
+    CompactPush push{};
+    push.from = from;
+    push.nodeCapacity = capacity.nodes;
+    push.leafRefCapacity = capacity.leafRefs;
+    copyTree(commands, context, push, to);
 }
 
 }  // namespace cleave

@@ -43,7 +43,7 @@ struct Creation {
     }
 };
 
-bool createBuildKernels(Creation& creation, Context::State& state, const GroupSizes& sizes) {
+bool createBuildKernels(Creation& creation, Context::State& state, const GroupSizes& sizes, bool expands) {
     const auto add = [&](std::span<const BuildPass> passes) {
         for (const BuildPass& pass : passes) {
             const bool known = std::any_of(state.buildKernels.begin(), state.buildKernels.end(),
@@ -56,7 +56,7 @@ bool createBuildKernels(Creation& creation, Context::State& state, const GroupSi
         }
         return true;
     };
-    return add(kSetupPasses) && add(kLevelPasses) && add(kLastPasses) &&
+    return add(kSetupPasses) && add(kLevelPasses) && add(kLastPasses) && (!expands || add(kExpandPasses)) &&
            creation.create(state.compact, "compact", sizeof(CompactPush), {});
 }
 
@@ -130,7 +130,8 @@ void createInto(NewContext& result, Context::State& state, const ContextInfo& in
     const PipelineHome home{&state.functions, info.device, info.pipelineCache, info.allocator};
     Creation creation{home, result};
     if (info.builds &&
-        !createBuildKernels(creation, state, groupSizes(properties, subgroups.subgroupSize, info.groupLanes)))
+        !createBuildKernels(creation, state, groupSizes(properties, subgroups.subgroupSize, info.groupLanes),
+                            info.expands))
         return;
     const std::span<const TraceMode> modes =
         info.modes ? std::span(info.modes, info.modeCount) : std::span<const TraceMode>(kDefaultModes);

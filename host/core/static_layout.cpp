@@ -1,5 +1,6 @@
 // The structs of the public header and of the kernels are the same bytes.
 #include "cleave/cleave.hpp"
+#include "shared/build.h"
 #include "shared/ray.h"
 #include "shared/trace.h"
 #include "shared/tree.h"
@@ -18,6 +19,10 @@ CLEAVE_SAME(TreeHeader, bytes, TreeData, bytes);
 CLEAVE_SAME(TreeHeader, wantedBytes, TreeData, wantedBytes);
 CLEAVE_SAME(TreeHeader, triangles, TreeData, triangles);
 CLEAVE_SAME(TreeHeader, leafRefs, TreeData, leafRefs);
+static_assert(sizeof(OpenNode) == sizeof(OpenLeaf));
+CLEAVE_SAME(OpenNode, lo, OpenLeaf, cell);
+CLEAVE_SAME(OpenNode, node, OpenLeaf, treeNode);
+CLEAVE_SAME(OpenNode, chunk, OpenLeaf, chunk);
 static_assert(sizeof(TraceRay) == sizeof(Ray) && sizeof(TraceHit) == sizeof(Hit) &&
               sizeof(TraceSteps) == sizeof(StepCount) && sizeof(TraceCounts) == sizeof(TraceCounters));
 CLEAVE_SAME(TraceRay, direction, Ray, direction);

@@ -4,7 +4,7 @@
 
 namespace cleave {
 
-std::unique_ptr<Context> contextOf(const Device& device, std::span<const TraceMode> modes, bool builds,
+std::unique_ptr<Context> contextOf(const Device& device, std::span<const TraceMode> modes, Building building,
                                    uint32_t groupLanes, std::span<const Search> searches) {
     static constexpr TraceMode kNone{};  // modes without any are not the default ones
     ContextInfo info;
@@ -17,7 +17,8 @@ std::unique_ptr<Context> contextOf(const Device& device, std::span<const TraceMo
     info.modeCount = static_cast<uint32_t>(modes.size());
     info.searches = searches.data();
     info.searchCount = static_cast<uint32_t>(searches.size());
-    info.builds = builds;
+    info.builds = building != Building::none;
+    info.expands = building == Building::openTrees;
     info.longestRow = device.longestRow();
     info.groupLanes = groupLanes;
     NewContext made = createContext(info);

@@ -9,8 +9,11 @@
 
 namespace cleave {
 
+// What a context has beside its modes and searches: nothing, the kernels of builds, or those of expansions, too.
+enum class Building { none, trees, openTrees };
+
 // Throws Error.
-std::unique_ptr<Context> contextOf(const Device& device, std::span<const TraceMode> modes, bool builds,
+std::unique_ptr<Context> contextOf(const Device& device, std::span<const TraceMode> modes, Building building,
                                    uint32_t groupLanes = 0, std::span<const Search> searches = {});
 
 }  // namespace cleave

@@ -52,7 +52,7 @@ constexpr uint32_t kMostStamps =
 }  // namespace
 
 struct GpuBuilder::State {
-    explicit State(Device& d) : device(d), context(contextOf(d, {}, true)), commands(d) {}
+    explicit State(Device& d) : device(d), context(contextOf(d, {}, Building::trees)), commands(d) {}
     Device& device;
     std::unique_ptr<Context> context;
     Commands commands;

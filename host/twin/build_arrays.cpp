@@ -23,4 +23,23 @@ BuildArrays makeArrays(std::span<const Triangle> world, std::span<const uint32_t
     return a;
 }
 
+void beginExpansion(BuildArrays& arrays, const BuildInfo& info, std::span<const OpenNode> open) {
+    std::vector<OpenNode> nodes(open.begin(), open.end());
+    const Expansion planned = planExpansion(info, nodes.data(), static_cast<uint32_t>(nodes.size()));
+    arrays.state = {};
+    arrays.args.exactUpTo = info.exactUpTo;
+    arrays.args.openCount = planned.count;
+    arrays.args.openRefs = planned.refs;
+    arrays.args.openDepth = planned.depth;
+    arrays.open.clear();
+    for (const OpenNode& n : nodes)
+        arrays.open.push_back({{{n.lo[0], n.lo[1], n.lo[2]}, {n.hi[0], n.hi[1], n.hi[2]}},
+                               n.node,
+                               n.first,
+                               n.count,
+                               n.depth,
+                               n.before,
+                               n.chunk});
+}
+
 }  // namespace cleave

@@ -14,6 +14,7 @@ namespace cleave {
 struct BuildArrays {
     std::vector<Triangle> world;  // what the tree is built over, by number
     std::vector<uint32_t> list;   // ascending numbers of the tree's triangles; empty: all
+    std::vector<OpenLeaf> open;   // of an expansion; args tell of them
     BuildArgs args{};             // settings and counts; its addresses are not used
     BuildState state{};
     TreeData header{};
@@ -31,5 +32,8 @@ struct BuildArrays {
 
 // A build of `world` with the settings and the capacity of `info`; geometries and list of that are not looked at.
 BuildArrays makeArrays(std::span<const Triangle> world, std::span<const uint32_t> list, BuildInfo info);
+
+// Makes a build that is done, with `info`, one that builds these open nodes of its tree further.
+void beginExpansion(BuildArrays& arrays, const BuildInfo& info, std::span<const OpenNode> open);
 
 }  // namespace cleave

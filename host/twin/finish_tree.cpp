@@ -7,18 +7,21 @@ void finishTree(BuildArrays& a, uint32_t) {
     const BuildState& s = a.state;
     const BuildArgs& args = a.args;
     const bool isShort = s.neededRefs > 0 || s.neededLevelNodes > 0 || s.neededNodes > 0 || s.neededLeafRefs > 0;
+    const bool expands = args.openCount > 0;
     TreeData& t = a.header;
     t.magic = kTreeMagic;
     t.format = kTreeFormatNumber;
     t.status = isShort ? kShortOfCapacity : 0;
-    t.levels = s.levels;
+    t.levels = expands ? std::max(t.levels, args.openDepth + s.levels) : s.levels;
     t.triangleCount = args.triangleCount;
     t.nodeCount = s.nodesUsed;
     t.leafRefCount = s.leafRefsUsed;
-    t.nonFinite = s.scene.nonFinite;
-    t.noArea = s.scene.noArea;
-    t.exponent = sceneExponent(s.scene.largest);
-    t.bounds = rootCell(s.scene);
+    if (!expands) {
+        t.nonFinite = s.scene.nonFinite;
+        t.noArea = s.scene.noArea;
+        t.exponent = sceneExponent(s.scene.largest);
+        t.bounds = rootCell(s.scene);
+    }
     t.wantedRefs = s.neededRefs;
     t.wantedLevelNodes = s.neededLevelNodes;
     t.wantedNodes = s.neededNodes;

@@ -12,6 +12,7 @@ namespace cleave::twin {
 
 #define CLEAVE_TWIN(kernel, twin, groups, lanes, scans, builds) void twin(BuildArrays& a, uint32_t depth);
 CLEAVE_SETUP_PASSES(CLEAVE_TWIN)
+CLEAVE_EXPAND_PASSES(CLEAVE_TWIN)
 CLEAVE_LEVEL_PASSES(CLEAVE_TWIN)
 CLEAVE_LAST_PASSES(CLEAVE_TWIN)
 #undef CLEAVE_TWIN
@@ -22,8 +23,11 @@ struct Pass {
     void (*run)(BuildArrays& a, uint32_t depth);
 };
 std::span<const Pass> setupPasses();
+std::span<const Pass> expandPasses();
 std::span<const Pass> levelPasses();
 std::span<const Pass> lastPasses();
+// Runs those of all levels that the first one leads to, and the last ones.
+void runLevels(BuildArrays& a, PassChoice choice);
 
 // Shared by the passes: the number of one of the tree's triangles,
 uint32_t triangleNumber(const BuildArrays& a, uint32_t index);

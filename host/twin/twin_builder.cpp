@@ -17,10 +17,7 @@ BuildArrays built(const TriangleSet& set, const BuildInfo& info) {
     a.state.scene.largest = floatBitsToUint(0.5f);
     for (const twin::Pass& pass : twin::setupPasses())
         if (pass.run != twin::findScale) pass.run(a, 0);
-    for (uint32_t depth = 0; depth <= a.state.maxDepth && a.state.level[depth].nodeCount > 0; depth++)
-        for (const twin::Pass& pass : twin::levelPasses())
-            if (pass.row.runs(choiceOf(info))) pass.run(a, depth);
-    for (const twin::Pass& pass : twin::lastPasses()) pass.run(a, 0);
+    twin::runLevels(a, choiceOf(info));
     return a;
 }
 

@@ -9,18 +9,22 @@ layout(local_size_x = 1) in;
 
 void main() {
     bool isShort = (state.neededRefs | state.neededLevelNodes | state.neededNodes | state.neededLeafRefs) != 0u;
+    bool expands = args.openCount > 0u;
     TreeData t;
+    if (expands) t = args.header.at;
     t.magic = kTreeMagic;
     t.format = kTreeFormatNumber;
     t.status = isShort ? kShortOfCapacity : 0u;
-    t.levels = state.levels;
+    t.levels = expands ? max(t.levels, args.openDepth + state.levels) : state.levels;
     t.triangleCount = args.triangleCount;
     t.nodeCount = state.nodesUsed;
     t.leafRefCount = state.leafRefsUsed;
-    t.nonFinite = state.scene.nonFinite;
-    t.noArea = state.scene.noArea;
-    t.exponent = sceneExponent(state.scene.largest);
-    t.bounds = rootCell(state.scene);
+    if (!expands) {
+        t.nonFinite = state.scene.nonFinite;
+        t.noArea = state.scene.noArea;
+        t.exponent = sceneExponent(state.scene.largest);
+        t.bounds = rootCell(state.scene);
+    }
     t.wantedRefs = state.neededRefs;
     t.wantedLevelNodes = state.neededLevelNodes;
     t.wantedNodes = state.neededNodes;

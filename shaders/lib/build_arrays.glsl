@@ -4,6 +4,7 @@
 CLEAVE_ARRAY(PrimRefArray, PrimRef);
 CLEAVE_ARRAY(BuildNodeArray, BuildNode);
 CLEAVE_ARRAY(ChunkArray, Chunk);
+CLEAVE_ARRAY(OpenLeafArray, OpenLeaf);
 CLEAVE_ARRAY(SubtreesArray, Subtrees);
 CLEAVE_ARRAY(WorkNodeArray, WorkNode);
 CLEAVE_ARRAY(WorkSplitArray, WorkSplit);

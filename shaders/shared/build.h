@@ -162,6 +162,19 @@ CLEAVE_FN Split snapped(SahCosts costs, Split s, Box cell, NearestFaces f) {
     return best;
 }
 
+// A leaf of the tree that was left open, and is built further. Its references are those of the leaf, clipped to its
+// cell.
+struct OpenLeaf {
+    Box cell;
+    uint treeNode;
+    uint first;  // of its entries in the leaf list
+    uint count;
+    uint depth;
+    uint before;  // references of the open nodes before it
+    uint chunk;   // its first chunk, if it is large
+};
+CLEAVE_SIZE(OpenLeaf, 48);
+
 // A bit beside kLeft and kRight: `classify` has clipped the reference, and its boxes are in the list of clipped boxes.
 CLEAVE_CONST uint kClipped = 4u;
 
@@ -259,9 +272,10 @@ struct BuildArgs {
     CLEAVE_TREE_ARRAYS(CLEAVE_ARRAY_FIELD)
     CLEAVE_ADDRESS(BuildStateRef) state;
     CLEAVE_ADDRESS(Tree) header;
-    CLEAVE_ADDRESS(UintArray) list;  // numbers of the tree's triangles, where numberCount is not 0
-    uint triangleCount;              // of the tree, those that are left out included
-    uint numberCount;                // triangleCount, or 0 where a triangle's number is its index
+    CLEAVE_ADDRESS(UintArray) list;      // numbers of the tree's triangles, where numberCount is not 0
+    CLEAVE_ADDRESS(OpenLeafArray) open;  // of a tree that is expanded: what is built further
+    uint triangleCount;                  // of the tree, those that are left out included
+    uint numberCount;                    // triangleCount, or 0 where a triangle's number is its index
     uint geometryCount;
     uint refCapacity;        // references of one level: refs0, refs1, ...
     uint levelNodeCapacity;  // nodes of one level
@@ -278,8 +292,12 @@ struct BuildArgs {
     SahCosts costs;
     uint everything;  // 1: bins are counted also where a node is flat
     uint workers;     // the most workgroups of `subtrees`
+    uint openCount;   // of `open`; 0: the tree is built from its root
+    uint openRefs;    // their references
+    uint openDepth;   // the depth of the deepest
+    uint reserved;
 };
-CLEAVE_SIZE(BuildArgs, 328);
+CLEAVE_SIZE(BuildArgs, 352);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) buffer BuildArgsRef { BuildArgs at; };

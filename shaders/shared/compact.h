@@ -9,7 +9,9 @@ CLEAVE_BEGIN
 struct CompactPush {
     CLEAVE_ADDRESS(Tree) from;
     CLEAVE_ADDRESS(Tree) to;
-    uint invocations;  // of the dispatch: each copies every so manyth entry
+    uint invocations;   // of the dispatch: each copies every so manyth entry
+    uint nodeCapacity;  // of the copy, where that is more than it takes
+    uint leafRefCapacity;
 };
 
 CLEAVE_END

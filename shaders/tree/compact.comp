@@ -1,5 +1,5 @@
 #version 460
-// Copies a tree without slack. Each invocation takes every so manyth entry, since how many there are is known on the
+// Copies a tree, without slack or to a larger capacity. Each invocation takes every so manyth entry, since how many there are is known on the
 // device only.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_buffer_reference_uvec2 : require
@@ -22,7 +22,7 @@ uvec2 addressOf(uint block) {
 
 void main() {
     TreeData t = push.from.at;
-    TreeLayout l = treeLayout(t.triangleCount, t.nodeCount, t.leafRefCount);
+    TreeLayout l = treeLayout(t.triangleCount, max(t.nodeCount, push.nodeCapacity), max(t.leafRefCount, push.leafRefCapacity));
     TreeTriangleArray triangles = TreeTriangleArray(addressOf(l.triangles));
     KdNodeArray nodes = KdNodeArray(addressOf(l.nodes));
     UintArray leafRefs = UintArray(addressOf(l.leafRefs));

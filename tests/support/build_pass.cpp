@@ -10,6 +10,7 @@
 #include "run/context_of.h"
 #include "support/device.h"
 #include "support/scenes.h"
+#include "tree/open_nodes.h"
 
 namespace cleave::test {
 
@@ -24,7 +25,7 @@ const Context& buildContext(bool large) {
             beforeClose([] {
                 for (std::unique_ptr<Context>& c : contexts) c.reset();
             });
-        context = contextOf(device(), {}, true, large ? kLargestGroup : 0);
+        context = contextOf(device(), {}, Building::openTrees, large ? kLargestGroup : 0);
     }
     return *context;
 }
@@ -88,24 +89,32 @@ BuildInfo infoOf(uint32_t seed) {
 
 BuildPair::BuildPair(const std::vector<Triangle>& world, const std::vector<uint32_t>& list, BuildInfo info)
     : arrays(makeArrays(world, list, info)),
+      info_(info),
       world_(uploaded(device(), std::span<const Triangle>(world))),
       list_(uploaded(device(), std::span<const uint32_t>(list))) {
-    Geometry geometry;
-    geometry.vertices = world_.address();
-    geometry.triangleCount = static_cast<uint32_t>(world.size());
-    geometry.vertexCount = 3 * geometry.triangleCount;
-    info.geometries = &geometry;
-    info.geometryCount = 1;
+    geometry_.vertices = world_.address();
+    geometry_.triangleCount = static_cast<uint32_t>(world.size());
+    geometry_.vertexCount = 3 * geometry_.triangleCount;
+    info_.geometries = &geometry_;
+    info_.geometryCount = 1;
     if (!list.empty()) {
-        info.list = list_.address();
-        info.listCount = static_cast<uint32_t>(list.size());
+        info_.list = list_.address();
+        info_.listCount = static_cast<uint32_t>(list.size());
     }
-    const BuildSizes sizes = buildSizes(info);
+    const BuildSizes sizes = buildSizes(info_);
     scratch_.reserve(device(), {sizes.scratch, sizes.scratchCount});
     tree_ = Buffer(device(), sizes.tree);
-    at_ = scratchLayout(countsOf(info), 0);
-    args_ = buildArgs(info, tree_.address(), scratch_.ranges(), kLongestRow);
-    arrays.geometries[0] = geometryData(geometry, 0);
+    at_ = scratchLayout(countsOf(info_), 0);
+    args_ = buildArgs(info_, tree_.address(), scratch_.ranges(), kLongestRow);
+    arrays.geometries[0] = geometryData(geometry_, 0);
+}
+
+void BuildPair::expand(std::vector<OpenNode> open) {
+    Expansion expansion = planExpansion(info_, open.data(), static_cast<uint32_t>(open.size()));
+    open_ = uploaded(device(), std::span<const OpenNode>(open));
+    expansion.nodes = open_.address();
+    args_ = buildArgs(info_, tree_.address(), scratch_.ranges(), kLongestRow, expansion);
+    beginExpansion(arrays, info_, open);
 }
 
 void BuildPair::upload() {
@@ -150,7 +159,8 @@ std::string BuildPair::differenceAfter(const twin::Pass& pass, uint32_t depth, b
     commands.begin();
     Recorder recorder = context.recorder(commands.handle());
     const BuildPush push{args_.state - at_.state.offset + at_.args.offset, depth, pass.row.scans};
-    const Level once = levelOf(arrays.args.triangleCount, 1, 0, 0, 0, kLongestRow);
+    const BuildArgs& args = arrays.args;
+    const Level once = levelOf(args.openCount > 0 ? args.openRefs : args.triangleCount, 1, 0, 0, 0, kLongestRow);
     bool isLevelPass = false;
     for (const twin::Pass& p : twin::levelPasses()) isLevelPass = isLevelPass || p.run == pass.run;
     DispatchSize size{};
@@ -170,19 +180,53 @@ void expectPassEqualsTwin(const std::string& name, uint32_t triangleCount, uint3
         if (i % 3 != 1) list.push_back(i);
     const BuildInfo info = infoOf(seed);
     BuildPair pair(worldOf(triangleCount, seed), list, info);
+    uint32_t compared = 0;
     const auto run = [&](const twin::Pass& pass, uint32_t depth, bool checked) {
         if (name != pass.row.kernel || !checked) return pass.run(pair.arrays, depth);
+        compared++;
         EXPECT_EQ(pair.differenceAfter(pass, depth, (seed + depth) % 2 == 0), "") << name << " at depth " << depth;
     };
     for (const twin::Pass& pass : twin::setupPasses()) run(pass, 0, true);
     const BuildState& state = pair.arrays.state;
     for (uint32_t depth = 0; depth <= state.maxDepth && state.level[depth].nodeCount > 0; depth++)
         for (const twin::Pass& pass : twin::levelPasses()) {
-            if (!pass.row.runs(choiceOf(info))) continue;
+            if (!pass.row.runs(pair.choice())) continue;
             run(pass, depth, isChecked(depth, state.maxDepth, triangleCount));
             if (testing::Test::HasFailure()) return;
         }
     for (const twin::Pass& pass : twin::lastPasses()) run(pass, 0, true);
+    EXPECT_TRUE(compared > 0 || triangleCount != kGroup * kGroup + 1) << name << " did not run";
+}
+
+uint32_t expectExpansionEqualsTwin(uint32_t triangleCount, uint32_t seed) {
+    SCOPED_TRACE("triangles " + std::to_string(triangleCount) + ", seed " + std::to_string(seed));
+    BuildInfo info = infoOf(seed);
+    info.openUpTo = seed % 2 == 0 ? 100 : 700;
+    BuildPair pair(worldOf(triangleCount, seed), {}, info);
+    BuildArrays& arrays = pair.arrays;
+    for (const twin::Pass& pass : twin::setupPasses()) pass.run(arrays, 0);
+    twin::runLevels(arrays, pair.choice());
+    const uint32_t included = arrays.state.scene.included;
+    std::vector<OpenNode> open =
+        openNodesOf(arrays.header.bounds, {arrays.tree.data(), arrays.header.nodeCount}, included, info);
+    for (size_t i = open.size(); i-- > 0;)
+        if (i % 2 == 1) open.erase(open.begin() + i);
+    if (open.empty()) return 0;
+    pair.expand(open);
+    const auto run = [&](const twin::Pass& pass, uint32_t depth, bool checked) {
+        if (!checked) return pass.run(arrays, depth);
+        EXPECT_EQ(pair.differenceAfter(pass, depth, (seed + depth) % 2 == 0), "")
+            << pass.row.kernel << " at depth " << depth;
+    };
+    for (const twin::Pass& pass : twin::expandPasses()) run(pass, 0, true);
+    for (uint32_t depth = 0; depth <= arrays.state.maxDepth && arrays.state.level[depth].nodeCount > 0; depth++)
+        for (const twin::Pass& pass : twin::levelPasses()) {
+            if (!pass.row.runs(pair.choice(true))) continue;
+            run(pass, depth, depth < 2);
+            if (testing::Test::HasFailure()) return 0;
+        }
+    for (const twin::Pass& pass : twin::lastPasses()) run(pass, 0, true);
+    return static_cast<uint32_t>(open.size());
 }
 
 }  // namespace cleave::test

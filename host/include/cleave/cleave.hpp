@@ -25,7 +25,7 @@ namespace cleave {
 
 // Versions of this interface, of the bytes of a tree, and of the answers: the last is raised whenever a bit of a hit
 // may change.
-inline constexpr uint32_t kApiVersion = 7;
+inline constexpr uint32_t kApiVersion = 8;
 inline constexpr uint32_t kTreeFormat = 2;
 inline constexpr uint32_t kAnswersVersion = 2;
 
@@ -54,6 +54,8 @@ struct ContextInfo {
     uint32_t searchCount = 0;
     // Off: no pipelines to build with, for programs that only trace.
     bool builds = true;
+    // On: those of cmdExpand(), too.
+    bool expands = false;
     // The most workgroups in a row of a dispatch; 0: 65535, which every device takes. Tests make it tiny.
     uint32_t longestRow = 0;
     // Lanes of the workgroups that build, a power of two from 8 to 256; 0: what suits the device. Trees do not depend
@@ -138,9 +140,12 @@ struct BuildInfo {
     uint32_t bins = 32;        // per axis, 2 to 32
     uint32_t exactUpTo = 160;  // nodes of at most so many references are split by exact SAH; at most 1024
     uint32_t maxDepth = 0;     // of a leaf, at most 63; 0: round(8 + 1.3 log2 n)
-    bool clip = true;          // clips straddling triangles to both cells
-    bool subsample = true;     // bins every l-th reference of a large node, l = max(1, floor(log10 n))
-    bool snap = true;          // moves the plane of a large node from the boundary of bins to a face of a box beside it
+    // Lazy building (Hunt et al. 2007): nodes of more than 32 and at most so many references (but at least exactUpTo)
+    // are left open, as leaves for now; see cmdExpand(). 0: none.
+    uint32_t openUpTo = 0;
+    bool clip = true;       // clips straddling triangles to both cells
+    bool subsample = true;  // bins every l-th reference of a large node, l = max(1, floor(log10 n))
+    bool snap = true;       // moves the plane of a large node from the boundary of bins to a face of a box beside it
     Capacity capacity;
     // The largest range of memory that the caller can give, e.g. maxMemoryAllocationSize; 0: any. Scratch that is
     // larger comes in several ranges. The tree and the largest scratch array must fit in one.
@@ -201,8 +206,44 @@ static_assert(sizeof(TreeHeader) == 128);
 void cmdBuild(VkCommandBuffer commands, const Context& context, const BuildInfo& info, const Range& tree,
               const Range* scratch) noexcept;
 
+// A leaf that was left open: one with more than 32 references and at most openLimit(), at a depth where it may be
+// split.
+struct OpenNode {
+    float lo[3];  // its cell, scaled: the root's, cut by the planes above it
+    float hi[3];
+    uint32_t node;    // its number among the tree's nodes
+    uint32_t first;   // of its entries in the leaf list
+    uint32_t count;   // of its references
+    uint32_t depth;   // the root's is 0
+    uint32_t before;  // planExpansion() sets this
+    uint32_t chunk;   // and this
+};
+uint32_t openLimit(const BuildInfo& info) noexcept;
+
+struct Expansion {
+    VkDeviceAddress nodes = 0;  // OpenNode
+    uint32_t count = 0;
+    uint32_t refs = 0;   // references of all of them
+    uint32_t depth = 0;  // of the deepest one
+};
+
+// Makes an expansion of these nodes. Copy them to device memory then, and set its address.
+Expansion planExpansion(const BuildInfo& info, OpenNode* nodes, uint32_t count) noexcept;
+
+// Builds open nodes of a tree further, down to leaves as cmdBuild() without openUpTo makes them: where they were are
+// inner nodes (or final leaves) afterwards, all other nodes are where they were, and new ones follow them. `info`,
+// `tree` and `scratch` are those of the build. Where the capacity does not suffice the header says so
+// (kShortOfCapacity): the tree is valid, and the same nodes can be built once more in a larger range, where cmdMove()
+// brings what was there before. The context has `expands`.
+void cmdExpand(VkCommandBuffer commands, const Context& context, const BuildInfo& info, const Expansion& expansion,
+               const Range& tree, const Range* scratch) noexcept;
+
 // Copies a tree without slack. `to` is at least TreeHeader::bytes of `from` large, and does not overlap it.
 void cmdCompact(VkCommandBuffer commands, const Context& context, VkDeviceAddress from, const Range& to) noexcept;
+
+// Copies a tree to a range of a larger capacity, that of `info`, so that it can be expanded there.
+void cmdMove(VkCommandBuffer commands, const Context& context, const BuildInfo& info, VkDeviceAddress from,
+             const Range& to) noexcept;
 
 // Rays and hits, as device memory holds them. Points are origin + t direction with tMin <= t <= tMax; the direction
 // need not be of unit length. u and v weigh the second and third vertex. A miss: t = +inf, prim = 0xFFFFFFFF. A ray
