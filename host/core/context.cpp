@@ -61,13 +61,16 @@ bool createBuildKernels(Creation& creation, Context::State& state, const GroupSi
 }
 
 const char* traceKernelName(const TraceMode& mode) {
+    const auto of = [&](const char* plain, const char* instances, const char* lazy) {
+        return mode.instances ? instances : mode.lazy ? lazy : plain;
+    };
     switch (mode.traversal) {
         case Traversal::stack:
-            return mode.instances ? "trace_instances_stack" : "trace_stack";
+            return of("trace_stack", "trace_instances_stack", "trace_lazy_stack");
         case Traversal::shortStack:
-            return mode.instances ? "trace_instances_short_stack" : "trace_short_stack";
+            return of("trace_short_stack", "trace_instances_short_stack", "trace_lazy_short_stack");
         default:
-            return mode.instances ? "trace_instances" : "trace";
+            return of("trace", "trace_instances", "trace_lazy");
     }
 }
 

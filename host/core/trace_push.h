@@ -7,10 +7,10 @@
 namespace cleave {
 
 // Whether a dispatch may give up on a ray, for which a next one goes on. With a stack no node is visited twice; of a
-// ray through many trees a trail says too little.
+// ray through many trees a trail says too little. A ray that waits goes on in any case.
 inline bool mayGoOn(const TraceMode& mode) noexcept {
-    return (mode.query == Query::closest || mode.query == Query::any) && mode.traversal != Traversal::stack &&
-           !mode.instances;
+    return (mode.query == Query::closest || mode.query == Query::any) &&
+           (mode.traversal != Traversal::stack || mode.lazy) && !mode.instances;
 }
 
 inline TracePush tracePush(const TraceInfo& info) noexcept {
@@ -22,6 +22,7 @@ inline TracePush tracePush(const TraceInfo& info) noexcept {
     push.steps = info.steps;
     push.counters = info.counters;
     push.trails = info.trails;
+    push.open = info.open;
     push.rayCount = info.count;
     push.stepLimit = info.stepLimit != 0 ? info.stepLimit : kDefaultStepLimit;
     push.hitsPerRay = info.hitsPerRay;

@@ -20,7 +20,7 @@ constexpr const char* kNames[] = {
     CLEAVE_PICTURE_PASSES(CLEAVE_PASS_NAME)
 #undef CLEAVE_PASS_NAME
 };
-constexpr const char* kAlpha = "trace_alpha";
+const char* alphaKernel(const TraceMode& mode) { return mode.lazy ? "trace_alpha_lazy" : "trace_alpha"; }
 
 std::vector<PictureKernels::Pass> passesOf(View view) {
     using P = PictureKernels;
@@ -212,6 +212,7 @@ class PictureRecording {
         trace.count = slice_.count;
         trace.mode = mode;
         trace.stepLimit = info_.stepLimit;
+        trace.open = info_.open;
         trace.resumes = resumes;
         return trace;
     }
@@ -269,9 +270,9 @@ void PictureKernels::prepare(const PictureInfo& info) {
     for (const Pass pass : passesOf(info.view)) make(kNames[pass], sizeof(PicturePush), constantsOf(pass, info));
     if (info.kept.shadows) make(kNames[shadow_rays], sizeof(PicturePush), {});
     if (info.looksThrough(PictureRays::primary))
-        make(kAlpha, sizeof(SurfaceTracePush), alphaConstants(info.primaryMode(), info));
+        make(alphaKernel(info.primaryMode()), sizeof(SurfaceTracePush), alphaConstants(info.primaryMode(), info));
     if (info.looksThrough(PictureRays::shadow))
-        make(kAlpha, sizeof(SurfaceTracePush), alphaConstants(info.shadowMode(), info));
+        make(alphaKernel(info.shadowMode()), sizeof(SurfaceTracePush), alphaConstants(info.shadowMode(), info));
 }
 
 // What was not prepared is a mistake of the caller, for which there is no answer.
@@ -282,7 +283,7 @@ const Kernel& PictureKernels::of(Pass pass, const PictureInfo& info) const {
 }
 
 const Kernel& PictureKernels::ofAlpha(const TraceMode& mode, const PictureInfo& info) const {
-    const Variant* found = find(kAlpha, alphaConstants(mode, info));
+    const Variant* found = find(alphaKernel(mode), alphaConstants(mode, info));
     if (!found) std::abort();
     return found->kernel;
 }

@@ -49,6 +49,8 @@ struct PictureInfo {
     std::span<const VkDeviceAddress> trees;
     // The only one is a PlacedScene. For views that show nothing of triangles: depth, steps and leaves.
     bool instances = false;
+    // Of the only tree: as TraceInfo::open, for rays that wait; 0: none does. Not for paths.
+    VkDeviceAddress open = 0;
     Box bounds = emptyBox();        // of all trees, in the scaled space of `exponent`
     int32_t exponent = 0;           // the largest of the trees'
     VkDeviceAddress triangles = 0;  // 36 bytes each: the vertices in world space, by number
@@ -78,15 +80,15 @@ struct PictureInfo {
     }
     PictureParts parts() const {
         PictureParts p = partsOf(static_cast<uint32_t>(view));
-        p.trails = kept.trails || mayGoOn({Query::closest, traversal, test, false, instances});
+        p.trails = kept.trails || mayGoOn({Query::closest, traversal, test, false, instances, open != 0});
         p.steps = p.steps || kept.steps;
         p.shadows = p.shadows || kept.shadows;
         p.emitters = kept.emitters || settings.emitters.slots > 0;
         p.trees = static_cast<uint32_t>(trees.size());
         return p;
     }
-    TraceMode primaryMode() const { return {Query::closest, traversal, test, parts().steps, instances}; }
-    TraceMode shadowMode() const { return {Query::any, traversal, test, false}; }
+    TraceMode primaryMode() const { return {Query::closest, traversal, test, parts().steps, instances, open != 0}; }
+    TraceMode shadowMode() const { return {Query::any, traversal, test, false, false, open != 0}; }
 };
 
 // The arguments of a picture's kernels, which lie in `scratch` as `at` says.

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "run/lazy_tree.h"
 #include "shared/scale.h"
 #include "shared/tree_layout.h"
 
@@ -32,6 +33,8 @@ Geometry DeviceTriangles::geometry() const {
 Box DeviceTree::bounds() const {
     return {{header.lo[0], header.lo[1], header.lo[2]}, {header.hi[0], header.hi[1], header.hi[2]}};
 }
+
+Forest::Forest(LazyTree& grows) : trees{&grows.tree()}, lazy(&grows) {}
 
 int Forest::exponent() const {
     std::optional<int> largest;

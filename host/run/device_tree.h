@@ -33,11 +33,15 @@ struct DeviceTree {
     Box bounds() const;
 };
 
+class LazyTree;
+
 // Trees that share the triangles of a scene: one, or several that rays visit one after the other. They outlive this.
 struct Forest {
     std::vector<const DeviceTree*> trees;
+    LazyTree* lazy = nullptr;  // whose tree is the only one: rays wait at its open nodes
 
     Forest(const DeviceTree& tree) : trees{&tree} {}
+    explicit Forest(LazyTree& grows);
     explicit Forest(std::vector<const DeviceTree*> several) : trees(std::move(several)) {}
     // As a tree over all of the triangles would have them.
     int exponent() const;

@@ -2,24 +2,16 @@
 
 #include <algorithm>
 
-#include "base/error.h"
 #include "base/stopwatch.h"
 #include "core/build_layout.h"
 #include "core/build_passes.h"
 #include "run/context_of.h"
+#include "run/device_build.h"
 #include "run/ranges.h"
 #include "tree/build_info.h"
 
 namespace cleave {
 namespace {
-
-BuildInfo infoOf(std::span<const Geometry> geometries, const BuildSettings& settings, const Device& device) {
-    BuildInfo info = buildInfo(settings);
-    info.geometries = geometries.data();
-    info.geometryCount = static_cast<uint32_t>(geometries.size());
-    info.largestRange = device.largestAllocation();
-    return info;
-}
 
 // Triangles with these numbers: a geometry for each run of numbers that follow each other, and one without vertices, of
 // which the list has none, for what is between them.
@@ -52,7 +44,7 @@ constexpr uint32_t kMostStamps =
 }  // namespace
 
 struct GpuBuilder::State {
-    explicit State(Device& d) : device(d), context(contextOf(d, {}, Building::trees)), commands(d) {}
+    State(Device& d, Building building) : device(d), context(contextOf(d, {}, building)), commands(d) {}
     Device& device;
     std::unique_ptr<Context> context;
     Commands commands;
@@ -61,8 +53,7 @@ struct GpuBuilder::State {
     Capacity capacity;
 
     void reserve(const BuildInfo& info) {
-        const BuildSizes sizes = buildSizes(info);
-        if (sizes.failed) throw Error(std::string("cannot build a tree: ") + sizes.failed + "; split the scene");
+        const BuildSizes sizes = requireSizes(info);
         tree.reserve(device, {&sizes.tree, 1});
         scratch.reserve(device, {sizes.scratch, sizes.scratchCount});
         capacity = sizes.capacity;
@@ -89,16 +80,18 @@ struct GpuBuilder::State {
     }
 };
 
-GpuBuilder::GpuBuilder(Device& device) {
+GpuBuilder::GpuBuilder(Device& device, Building building) {
     const Stopwatch watch;
-    state_ = std::make_unique<State>(device);
+    state_ = std::make_unique<State>(device, building);
     // Enough overlapping triangles for every kernel to run: some straddle, and there are more than kExactUpTo.
     std::vector<Triangle> tiny;
     for (uint32_t i = 0; i < 3 * kExactUpTo; i++) {
         const float x = static_cast<float>(i) / (3 * kExactUpTo);
         tiny.push_back({{x, 0.0f, 0.0f}, {x + 0.05f, 0.5f, 0.1f}, {x, 0.1f, 0.5f}});
     }
-    build(DeviceTriangles(device, tiny), BuildSettings{});
+    const DeviceTriangles triangles(device, tiny);
+    build(triangles, BuildSettings{});
+    if (building == Building::openTrees) buildLazily(triangles, BuildSettings{}, kExactUpTo)->expandAll();
     setupMs_ = watch.milliseconds();
 }
 GpuBuilder::~GpuBuilder() = default;
@@ -119,7 +112,7 @@ GpuBuilder::Result GpuBuilder::build(std::span<const Geometry> geometries, const
     const Stopwatch watch;
     State& s = *state_;
     const Buffer numbers = uploaded(s.device, list);
-    BuildInfo info = infoOf(geometries, settings, s.device);
+    BuildInfo info = deviceBuildInfo(geometries, settings, s.device);
     if (!list.empty()) {
         info.list = numbers.address();
         info.listCount = static_cast<uint32_t>(list.size());
@@ -143,10 +136,15 @@ GpuBuilder::Result GpuBuilder::build(std::span<const Geometry> geometries, const
     return result;
 }
 
+std::unique_ptr<LazyTree> GpuBuilder::buildLazily(const DeviceTriangles& triangles, const BuildSettings& settings,
+                                                  uint32_t openUpTo, const Capacity& capacity) {
+    return std::make_unique<LazyTree>(state_->device, *state_->context, triangles, settings, openUpTo, capacity);
+}
+
 BuildProfile GpuBuilder::profile(const DeviceTriangles& triangles, const BuildSettings& settings) {
     State& s = *state_;
     const Geometry geometry = triangles.geometry();
-    BuildInfo info = infoOf({&geometry, 1}, settings, s.device);
+    BuildInfo info = deviceBuildInfo({&geometry, 1}, settings, s.device);
     info.capacity = s.capacity;
     s.reserve(info);
     Commands timed(s.device, kMostStamps);

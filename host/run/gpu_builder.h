@@ -6,14 +6,16 @@
 
 #include "gpu/commands.h"
 #include "run/build_profile.h"
+#include "run/context_of.h"
 #include "run/device_tree.h"
+#include "run/lazy_tree.h"
 
 namespace cleave {
 
 class GpuBuilder {
   public:
-    // Compiles every kernel, by building a tiny tree.
-    explicit GpuBuilder(Device& device);
+    // Compiles every kernel, by building a tiny tree. With Building::openTrees it builds lazily, too.
+    explicit GpuBuilder(Device& device, Building building = Building::trees);
     ~GpuBuilder();
     double setupMilliseconds() const { return setupMs_; }
 
@@ -31,6 +33,10 @@ class GpuBuilder {
     // Over all of the triangles, which have these ascending numbers in the scene.
     Result buildNumbered(const DeviceTriangles& triangles, const BuildSettings& settings,
                          std::span<const uint32_t> numbers);
+
+    // Builds the top of a tree that is built where rays come to, as LazyTree has it. Builder and triangles outlive it.
+    std::unique_ptr<LazyTree> buildLazily(const DeviceTriangles& triangles, const BuildSettings& settings,
+                                          uint32_t openUpTo, const Capacity& capacity = {});
 
     // Builds once more, with the clock read after every pass. With the capacity that the last build needed, so that it
     // follows one with the same settings. Without a clock on the queue all times are 0.

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "render/albedo_table.h"
+#include "run/lazy_tree.h"
 #include "run/ranges.h"
 
 namespace cleave {
@@ -78,6 +79,7 @@ struct Renderer::State {
 
     // Of the picture that was begun last.
     std::vector<VkDeviceAddress> trees;
+    LazyTree* lazy = nullptr;  // that is the only one
     PictureInfo info;
     PictureTracing tracing;
     PictureLayout at;
@@ -155,6 +157,7 @@ struct Renderer::State {
         if (info.view == View::path) return told;
         const auto resume = [&](PictureRays rays, TraceCounters PictureState::*counters) {
             for (uint32_t i = 1; (told.*counters).unfinishedRays > 0 && i < limits.mostDispatches; i++) {
+                if (lazy && lazy->expandMarked()) trees[0] = lazy->address();
                 run([&] {
                     cmdResumeSample(commands.handle(), kernels, tracing, info, scratch.ranges(), picture.samples, slice,
                                     rays);
@@ -170,7 +173,7 @@ struct Renderer::State {
     // Whole strips of tiles, so that a slice is some rows of the picture.
     RaySlice nextSlice() const {
         const RaySlice all = allRays(info);
-        if (hasScale(info.view)) return all;
+        if (hasScale(info.view) || lazy) return all;  // what waits is built together
         const uint64_t strip = uint64_t{8} * info.camera.width;
         const uint64_t most = std::max<uint64_t>(limits.batch / strip, 1) * strip;
         return {taken, static_cast<uint32_t>(std::min<uint64_t>(most, all.count - taken))};
@@ -193,6 +196,7 @@ Picture Renderer::render(const Forest& forest, const DeviceTriangles& triangles,
 Picture Renderer::render(const DeviceInstances& instances, const PictureRequest& request) {
     State& s = *state_;
     s.trees = {instances.address()};
+    s.lazy = nullptr;
     PictureInfo scene;
     scene.instances = true;
     scene.bounds = instances.bounds;
@@ -213,10 +217,12 @@ void Renderer::begin(const Forest& forest, const DeviceTriangles& triangles, con
                      const PictureRequest& request) {
     state_->trees.clear();
     for (const DeviceTree* tree : forest.trees) state_->trees.push_back(tree->address());
+    state_->lazy = forest.lazy;
     PictureInfo scene;
     scene.bounds = forest.bounds();
     scene.exponent = forest.exponent();
     scene.triangles = triangles.triangles.address();
+    if (forest.lazy) scene.open = forest.lazy->open();
     scene.surfaces = surfaces.addresses();
     begin(scene, request);
 }

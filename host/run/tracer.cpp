@@ -6,6 +6,7 @@
 #include "core/trace_push.h"
 #include "gpu/commands.h"
 #include "run/context_of.h"
+#include "run/lazy_tree.h"
 #include "shared/trace.h"
 
 namespace cleave {
@@ -79,13 +80,17 @@ struct Tracer::State {
         return counters.download<TraceCounters>(1)[0];
     }
 
-    void trace(const Context& context, TraceInfo info, Result& result) {
+    // `lazy`: the tree is this one, or null.
+    void trace(const Context& context, TraceInfo info, LazyTree* lazy, Result& result) {
+        if (lazy) info.open = lazy->open();
         TraceCounters counted = run(context, info, result.ms);
         result.invalidRays += counted.invalidRays;
         info.resumes = true;
         if (info.hitScale == HitScale::last) info.hitScale = HitScale::world;
-        for (uint32_t i = 1; counted.unfinishedRays > 0 && i < limits.mostDispatches; i++)
+        for (uint32_t i = 1; counted.unfinishedRays > 0 && i < limits.mostDispatches; i++) {
+            if (lazy && lazy->expandMarked()) info.tree = lazy->address();
             counted = run(context, info, result.ms);
+        }
         result.cappedRays += counted.unfinishedRays;
     }
 };
@@ -115,7 +120,9 @@ Tracer::Result Tracer::trace(const Forest& forest, std::span<const Ray> rays, co
                              std::span<const Hit> from) {
     std::vector<uint64_t> addresses;
     for (const DeviceTree* tree : forest.trees) addresses.push_back(tree->address());
-    return traceFrom(addresses, forest.exponent(), rays, mode, from);
+    TraceMode waiting = mode;
+    waiting.lazy = forest.lazy != nullptr;
+    return traceFrom(addresses, forest.exponent(), rays, waiting, from, forest.lazy);
 }
 
 Tracer::Result Tracer::trace(const DeviceInstances& instances, std::span<const Ray> rays, TraceMode mode) {
@@ -125,7 +132,7 @@ Tracer::Result Tracer::trace(const DeviceInstances& instances, std::span<const R
 }
 
 Tracer::Result Tracer::traceFrom(std::span<const uint64_t> trees, int exponent, std::span<const Ray> rays,
-                                 const TraceMode& mode, std::span<const Hit> from) {
+                                 const TraceMode& mode, std::span<const Hit> from, LazyTree* lazy) {
     State& s = *state_;
     const Context& traced = context(mode);
     Result result;
@@ -140,10 +147,10 @@ Tracer::Result Tracer::traceFrom(std::span<const uint64_t> trees, int exponent, 
             s.steps.upload(std::span<const StepCount>(result.steps).subspan(first, batch.size()));
         info.hitExponent = exponent;
         for (size_t tree = 0; tree < trees.size(); tree++) {
-            info.tree = trees[tree];
+            info.tree = lazy ? lazy->address() : trees[tree];
             if (trees.size() > 1 && from.empty())
                 info.hitScale = tree + 1 < trees.size() ? HitScale::between : HitScale::last;
-            s.trace(traced, info, result);
+            s.trace(traced, info, lazy, result);
             info.fromHits = true;
         }
         s.hits.read(0, &result.hits[first], batch.size() * sizeof(Hit));
@@ -202,7 +209,7 @@ std::vector<double> Tracer::timeFrom(uint64_t address, std::span<const Ray> rays
         const TraceInfo info = s.placed(address, s.batchAt(rays, first), mode);
         const auto once = [&] {
             Result result;
-            s.trace(traced, info, result);
+            s.trace(traced, info, nullptr, result);
             return result.ms;
         };
         warmUp(once);

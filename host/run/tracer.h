@@ -36,7 +36,8 @@ class Tracer {
         uint64_t invalidRays = 0;      // answered as misses (shared/ray.h, isValidRay)
         uint64_t cappedRays = 0;       // given up, answered as misses: must be 0
     };
-    // `from`: hits of another tree to go on from, one per ray; empty: none.
+    // `from`: hits of another tree to go on from, one per ray; empty: none. Of a lazy tree what the rays reach is
+    // built.
     Result trace(const Forest& forest, std::span<const Ray> rays, const TraceMode& mode = {},
                  std::span<const Hit> from = {});
     // Through meshes in places; whatever the mode says of that.
@@ -68,7 +69,7 @@ class Tracer {
 
   private:
     Result traceFrom(std::span<const uint64_t> trees, int exponent, std::span<const Ray> rays, const TraceMode& mode,
-                     std::span<const Hit> from);
+                     std::span<const Hit> from, LazyTree* lazy = nullptr);
     std::vector<double> timeFrom(uint64_t address, std::span<const Ray> rays, const TraceMode& mode, uint32_t runs);
 
     struct State;

@@ -20,8 +20,8 @@
 #endif
 
 // Goes on from `hit`, which stays unless the tree has a closer one, and from `trail`, which is empty at first. For
-// any-hit queries a given hit is the answer. The ray must be valid. Returns false if the ray is given up at the limit;
-// called again with what it left in `hit` and `trail`, it goes on as if it had not been interrupted. The t of `hit` is in
+// any-hit queries a given hit is the answer. The ray must be valid. Returns false if the ray is given up at the limit,
+// or waits; called again with what it left in `hit` and `trail`, it goes on as if it had not been interrupted. The t of `hit` is in
 // units of 2^unit.
 bool search(Tree tree, Ray ray, int unit, bool anyHit, uint stepLimit, inout Hit hit, inout Trail trail,
             inout StepCount steps) {
@@ -31,7 +31,7 @@ bool search(Tree tree, Ray ray, int unit, bool anyHit, uint stepLimit, inout Hit
     int tExponent = scaled.tExponent - unit;
     Best best = bestOf(scaledHit(hit, tExponent), scaled);
     bool finished = true;
-    if (CLEAVE_TRAVERSAL == kStackTraversal) traverseStack(parts, scaled, anyHit, best, steps);
+    if (CLEAVE_TRAVERSAL == kStackTraversal) finished = traverseStack(parts, scaled, anyHit, best, steps);
     else if (CLEAVE_TRAVERSAL == kShortStackTraversal)
         finished = traverseShortStack(parts, scaled, anyHit, stepLimit, best, trail, steps);
     else finished = traverseRestart(parts, scaled, anyHit, stepLimit, best, trail, steps);

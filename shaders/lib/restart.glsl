@@ -7,11 +7,6 @@
 #include "shared/trail.h"
 #include "lib/walk.glsl"
 
-// Whether the best hit comes back with the same bits from world units.
-bool staysAsItIs(Best best, int tExponent) {
-    return best.index == kNone || timesPowerOfTwo(best.tLow, tExponent) >= kSmallestNormal;
-}
-
 // A step at a plane that a trail decides. Walks that resume each other's trails must take it alike.
 struct TrailStep {
     Trail trail;    // with a bit set where the ray meets one child only
@@ -36,8 +31,9 @@ TrailStep trailStepAt(KdNode node, PlaneStep s, Visit at, Trail trail, uint dept
 }
 
 // Looks for a hit that is closer than `best`; t is in scaled units. Returns false if the ray is given up, which happens
-// after a leaf once more inner nodes and triangles than `stepLimit` have been seen. It can then be resumed with the
-// trail and the best hit that are returned, and the answer is that of an uninterrupted traversal:
+// after a leaf once more inner nodes and triangles than `stepLimit` have been seen, and before a leaf that is open. It
+// can then be resumed with the trail and the best hit that are returned, and the answer is that of an uninterrupted
+// traversal:
 // - A traversal resumes at the root instead of at the restart node. Above the restart node nothing was left to visit,
 //   so all bits of the trail are 1 there. The choice between one and two children depends on the ray's own interval
 //   only, so the descent takes the same children, with the same intervals, and passes the restart node as it would
@@ -77,6 +73,7 @@ bool traverseRestart(TreeParts tree, ScaledRay ray, bool anyHit, uint stepLimit,
             node = nodeAt(tree, at.node);
         }
         if (isLeaf(node) && at.tMin <= limit) {
+            if (waitsAt(at.node, best, ray)) return false;
             seen += leafCount(node);
             bool found = testLeaf(tree, ray, node, anyHit, best, steps);
             if (anyHit && found) return true;

@@ -48,6 +48,7 @@ bool traverseShortStack(TreeParts tree, ScaledRay ray, bool anyHit, uint stepLim
             node = nodeAt(tree, at.node);
         }
         if (isLeaf(node) && at.tMin <= limit) {
+            if (waitsAt(at.node, best, ray)) return false;
             seen += leafCount(node);
             bool found = testLeaf(tree, ray, node, anyHit, best, steps);
             if (anyHit && found) return true;

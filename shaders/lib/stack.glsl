@@ -21,19 +21,20 @@ const uint kClosestHit = 0u;
 const uint kAnyHit = 1u;
 const uint kAllCrossings = 2u;
 
-// Looks for a hit that is closer than `best`, or collects crossings in `list`; t is in scaled units. There is no step limit: no node is visited twice,
-// so the work is bounded by the size of the tree.
+// Looks for a hit that is closer than `best`, or collects crossings in `list`; t is in scaled units. There is no step
+// limit: no node is visited twice, so the work is bounded by the size of the tree. Returns false at a leaf that is open:
+// the walk is then to be done anew, with the best hit that is returned.
 //
 // An entry is a far child and the end of the ray's part in it. The beginning is that of the cell that comes after the
 // one visited last, and follows from where that ended. Not so where the ray comes from far away or lies in the plane,
 // and the plane is passed somewhere in a wide interval: the entry is marked, and its part begins with the whole ray's.
-void walkStack(TreeParts tree, ScaledRay ray, uint sought, inout Best best, inout CrossingList list,
+bool walkStack(TreeParts tree, ScaledRay ray, uint sought, inout Best best, inout CrossingList list,
                inout StepCount steps) {
     Walk walk;
     float begin;
     Visit at;
     at.node = 0u;
-    if (!enterRoot(tree.bounds, ray, walk, begin, at.tMax)) return;
+    if (!enterRoot(tree.bounds, ray, walk, begin, at.tMax)) return true;
     at.tMin = begin;
     float limit = limitOf(best, walk);
     uvec4 children = uvec4(0u);
@@ -62,13 +63,14 @@ void walkStack(TreeParts tree, ScaledRay ray, uint sought, inout Best best, inou
             collectFrom(tree, ray, node, list);
             best.tHigh = endOf(list, ray);
         } else {
+            if (waitsAt(at.node, best, ray)) return false;
             bool found = testLeaf(tree, ray, node, sought == kAnyHit, best, steps);
-            if (sought == kAnyHit && found) return;
+            if (sought == kAnyHit && found) return true;
         }
         limit = limitOf(best, walk);
         // Ties go to the lower number, so a cell that begins at the best t must still be visited.
         do {
-            if (count == 0u) return;
+            if (count == 0u) return true;
             count--;
             at.node = children.x & ~kUncertain;
             at.tMin = (children.x & kUncertain) != 0u ? begin : max(begin, takenBack(at.tMax));
@@ -82,10 +84,11 @@ void walkStack(TreeParts tree, ScaledRay ray, uint sought, inout Best best, inou
             }
         } while (at.tMin > limit);
     }
+    return true;
 }
 
-void traverseStack(TreeParts tree, ScaledRay ray, bool anyHit, inout Best best, inout StepCount steps) {
+bool traverseStack(TreeParts tree, ScaledRay ray, bool anyHit, inout Best best, inout StepCount steps) {
     CrossingList none = emptyCrossings(0u, beforeAll(), ray);
-    walkStack(tree, ray, anyHit ? kAnyHit : kClosestHit, best, none, steps);
+    return walkStack(tree, ray, anyHit ? kAnyHit : kClosestHit, best, none, steps);
 }
 #endif

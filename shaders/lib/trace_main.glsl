@@ -9,6 +9,12 @@ layout(constant_id = 2) const uint kTriangleTest = 0u;
 
 #define CLEAVE_COUNT_STEPS kCountSteps
 #define CLEAVE_TEST kTriangleTest
+// TRACES_LAZILY: rays wait at leaves that were left open.
+#ifdef TRACES_LAZILY
+bool marksOpen(uint node);
+#define CLEAVE_LAZY true
+#define CLEAVE_IS_OPEN marksOpen
+#endif
 #include "cleave.glsl"
 #include "trace_push.glsl"
 // TRACES_INSTANCES: what is traced is a scene of places, and not a tree.
@@ -21,6 +27,15 @@ layout(constant_id = 2) const uint kTriangleTest = 0u;
 #define CLEAVE_MORE_PUSH
 #endif
 layout(push_constant, scalar) uniform Push { CleaveTracePush push; CLEAVE_MORE_PUSH };
+
+#ifdef TRACES_LAZILY
+// Whether a leaf is open; then it is marked, to be built further.
+bool marksOpen(uint node) {
+    if (node >= push.open.at[0] || push.open.at[node + 1u] == 0u) return false;
+    push.open.at[node + 1u] = kCleaveMarkedNode;
+    return true;
+}
+#endif
 
 bool has(uint flag) { return (push.flags & flag) != 0u; }
 

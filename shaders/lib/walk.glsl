@@ -37,6 +37,17 @@ bool acceptsAll(uint number, float u, float v) { return true; }
 #define CLEAVE_ACCEPTS acceptsAll
 #endif
 
+bool isNowhereOpen(uint node) { return false; }
+
+// Trees may have leaves that were left open (lazy building): a walk that comes to one, by the function of this name, ends
+// there, unfinished, and goes on once the leaf has become a node.
+#ifndef CLEAVE_LAZY
+#define CLEAVE_LAZY false
+#endif
+#ifndef CLEAVE_IS_OPEN
+#define CLEAVE_IS_OPEN isNowhereOpen
+#endif
+
 vec3 asItIs(vec3 vertex) { return vertex; }
 uint asCounted(uint number) { return number; }
 bool leavesNothingOut(vec3 a, vec3 b, vec3 c) { return false; }
@@ -247,6 +258,17 @@ float limitOf(Best best, Walk walk) {
     if (CLEAVE_INSTANCES) t = CLEAVE_PLACED_T(t);
     t -= walk.start;
     return t + abs(t) * kWiden;
+}
+
+// Whether the best hit comes back with the same bits from world units.
+bool staysAsItIs(Best best, int tExponent) {
+    return best.index == kNone || timesPowerOfTwo(best.tLow, tExponent) >= kSmallestNormal;
+}
+
+// Whether a ray waits at a leaf. It does not if it cannot come back with its best hit: open leaves list all triangles of
+// their cells.
+bool waitsAt(uint node, Best best, ScaledRay ray) {
+    return CLEAVE_LAZY && staysAsItIs(best, ray.tExponent) && CLEAVE_IS_OPEN(node);
 }
 
 FilteredHit filtered(ScaledRay ray, TreeTriangle t) {

@@ -71,7 +71,7 @@ struct SurfaceTracePush {
     TracePush trace;
     PicturePush picture;
 };
-CLEAVE_SIZE(SurfaceTracePush, 96);
+CLEAVE_SIZE(SurfaceTracePush, 104);
 
 CLEAVE_END
 #endif

@@ -22,6 +22,12 @@ CLEAVE_CONST uint kTraceCounters = 8u;  // counts rays
 CLEAVE_CONST uint kTraceBetween = 16u;  // the t of hits is in units of 2^(hitExponent - exponent of the direction)
 CLEAVE_CONST uint kTraceLast = 32u;     // likewise, but for the hits that are written
 
+// What the kernels that wait are told of the nodes of a tree: how many there are, then a word of each. Those behind
+// them are closed, too.
+CLEAVE_CONST uint kClosedNode = 0u;
+CLEAVE_CONST uint kOpenNode = 1u;
+CLEAVE_CONST uint kMarkedNode = 2u;  // open, and a ray waits
+
 #ifndef __cplusplus
 #include "lib/trace_arrays.glsl"
 #endif
@@ -33,6 +39,7 @@ struct TracePush {
     CLEAVE_ADDRESS(StepCountArray) steps;       // used by the kernels that count steps
     CLEAVE_ADDRESS(TraceCountersRef) counters;  // used with kTraceCounters
     CLEAVE_ADDRESS(TrailArray) trails;          // one per ray; used with kTraceTrails and kTraceResumes
+    CLEAVE_ADDRESS(UintArray) open;             // used by the kernels that wait
     uint rayCount;
     uint stepLimit;  // inner nodes and triangle tests after which a ray is given up
     uint flags;
@@ -40,7 +47,7 @@ struct TracePush {
     int hitExponent;  // used with kTraceBetween
     uint reserved;
 };
-CLEAVE_SIZE(TracePush, 72);
+CLEAVE_SIZE(TracePush, 80);
 
 CLEAVE_END
 #endif

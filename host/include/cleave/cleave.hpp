@@ -308,6 +308,11 @@ struct TraceInfo {
     uint32_t stepLimit = 0;
     VkDeviceAddress trails = 0;
     bool resumes = false;
+    // Where mode.lazy: what cmdBuild() and cmdExpand() have left open, with `trails`: the number of the tree's nodes,
+    // then a uint32_t for each, 1 of those that are open, else 0. A ray that comes to one sets it to 2 and is
+    // unfinished: it goes on, by a call with `resumes`, once the node has been built further and is 0 here. (By a stack
+    // it begins anew, with the hit that it has.)
+    VkDeviceAddress open = 0;
 };
 void cmdTrace(VkCommandBuffer commands, const Context& context, const TraceInfo& info) noexcept;
 

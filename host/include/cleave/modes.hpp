@@ -35,6 +35,8 @@ struct TraceMode {
     // Closest and any hits: through meshes that stand in places (PlacedScene in shaders/shared/placed_mesh.h), not
     // through one tree.
     bool instances = false;
+    // Closest and any hits: rays wait at nodes that were left open (TraceInfo::open).
+    bool lazy = false;
     bool operator==(const TraceMode&) const = default;
 };
 
