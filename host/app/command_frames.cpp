@@ -95,11 +95,6 @@ class FrameRenderer {
     }
 
   private:
-    // About: what follows from hits depends on what is hit. A path is taken for three bounces, with a shadow ray each.
-    static uint64_t raysOf(const Options& options) {
-        const uint64_t pixels = uint64_t{options.width} * options.height;
-        return pixels * samplesOf(options) * (options.view == View::path ? 8 : showsSurfaces(options.view) ? 2 : 1);
-    }
     double movingMs() const { return trees_.ms() - trees_.staticMs(); }
 
     Picture pictureOf(const Forest& forest, PictureRequest request) {

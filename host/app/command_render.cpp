@@ -21,7 +21,7 @@ void runRender(Run& run) {
         return renderInstances(run, InstancedSession(run, std::move(loaded), *sharing));
     Session session(run, std::move(loaded), detail);
     const DeviceSurfaces surfaces = session.surfacesOnDevice(options.view);
-    SceneTrees trees(options, session, {.showsTree = countsSteps(options.view)});
+    SceneTrees trees(options, session, {.showsTree = countsSteps(options.view), .rays = raysOf(options)});
     trees.build(false);
     const DeviceTriangles& triangles = session.trianglesOnDevice();
     run.progress.phase("rendering");

@@ -39,6 +39,11 @@ GpuBuilder& DeviceKit::builder() {
     return *builder_;
 }
 
+GpuBuilder& DeviceKit::lazyBuilder() {
+    if (!lazyBuilder_) lazyBuilder_ = std::make_unique<GpuBuilder>(device(), Building::openTrees);
+    return *lazyBuilder_;
+}
+
 Tracer& DeviceKit::tracer() {
     TraceLimits limits;
     limits.keepsTrails = keepsTrails_;

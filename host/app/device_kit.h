@@ -28,13 +28,17 @@ class DeviceKit {
     // user's cache folder.
     Device& device();
     GpuBuilder& builder();  // warm
+    GpuBuilder& lazyBuilder();
     Tracer& tracer();
     Searcher& searcher();
     Renderer& renderer();
 
     bool isOpen() const { return device_ != nullptr; }
     std::optional<std::string> name() const;  // nothing unless opened
-    double builderSetupMilliseconds() const { return builder_ ? builder_->setupMilliseconds() : 0.0; }
+    double builderSetupMilliseconds() const {
+        return (builder_ ? builder_->setupMilliseconds() : 0.0) +
+               (lazyBuilder_ ? lazyBuilder_->setupMilliseconds() : 0.0);
+    }
     // Pipelines and their compilation, of all that was made so far.
     double setupMilliseconds() const;
     TransferCount transfers() const { return device_ ? device_->transfers : TransferCount{}; }
@@ -46,6 +50,7 @@ class DeviceKit {
     bool keepsTrails_;
     std::unique_ptr<Device> device_;
     std::unique_ptr<GpuBuilder> builder_;
+    std::unique_ptr<GpuBuilder> lazyBuilder_;
     std::unique_ptr<Tracer> tracer_;
     std::unique_ptr<Searcher> searcher_;
     std::unique_ptr<Renderer> renderer_;

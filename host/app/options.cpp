@@ -87,6 +87,8 @@ void complete(Options& options) {
         throw UsageError("--json and -o name the same file");
     if (const auto why = needForCopies(options); why && options.instances == Choice::on)
         throw UsageError("--instances on: there can be none, since " + *why + "; leave it out");
+    if (const auto why = needForWholeTree(options); why && options.lazy == Choice::on)
+        throw UsageError("--lazy on: the whole tree is needed, since " + *why + "; leave it out");
     if (options.frames && !std::isfinite(static_cast<double>(options.frames->last) / options.frames->fps))
         throw UsageError("--fps: at so few frames per second the time of the last frame is no finite number");
     if (options.frames && options.json && isFrameFile(options.output, *options.json))
@@ -115,6 +117,20 @@ std::optional<std::string> needForCopies(const Options& options) {
     if (options.frames) return "frames are posed anew, with copies";
     if (options.view != View::depth && !countsSteps(options.view))
         return "only the views depth, steps and leaves show nothing of the triangles themselves";
+    return std::nullopt;
+}
+
+std::optional<std::string> needForWholeTree(const Options& options) {
+    if (options.tree) return "--tree names one that is there";
+    if (options.namesBuilder && options.builders.front() != Builder::gpu) return "only the builder gpu builds lazily";
+    if (options.query != Query::closest && options.query != Query::any)
+        return "all hits, and counts of them, do not wait for a tree";
+    if (options.splitMoving == Choice::on) return "--split-moving on gives what moves a tree of its own";
+    if (options.instances == Choice::on) return "--instances on gives each mesh a tree";
+    if (options.keep.any()) return "--keep-all leaves nothing out";
+    if (options.command != Command::render) return std::nullopt;
+    if (options.view == View::path) return "paths go everywhere, and do not wait for a tree";
+    if (countsSteps(options.view)) return "the view shows it";
     return std::nullopt;
 }
 

@@ -56,6 +56,7 @@ struct Options {
     std::optional<std::filesystem::path> tree;      // a saved one, instead of building
     std::optional<std::filesystem::path> saveTree;  // info: where to keep what was built
     Choice instances = Choice::automatic;           // one tree for a mesh that stands in many places
+    Choice lazy = Choice::automatic;                // build what rays come to
     NeedSet keep;                                   // not left out, though nothing needs it
     std::string device;
     uint64_t check = 0;  // rays of a run to be judged
@@ -115,6 +116,9 @@ uint64_t raysToJudge(const Options& options);
 
 // Why a run cannot do without copies of meshes, whatever the scene; nothing if it can.
 std::optional<std::string> needForCopies(const Options& options);
+
+// Why a run needs the whole tree, whatever the scene; nothing if it can do with what rays come to.
+std::optional<std::string> needForWholeTree(const Options& options);
 
 // Wrong use of the command line: exit status 2.
 struct UsageError : std::runtime_error {

@@ -98,6 +98,7 @@ void addRender(CLI::App& app, Options& options) {
     addSplitMoving(app, options);
     addTraversal(app, options, false);
     addInstances(app, options);
+    addLazy(app, options);
     addKeepAll(app, options);
     addOutput(app, options);
 }

@@ -40,6 +40,7 @@ void addTrace(CLI::App& app, Options& options) {
     addSplitMoving(app, options);
     addTraversal(app, options, false);
     addInstances(app, options);
+    addLazy(app, options);
     CLI::Option* const own[] = {any, all, count};
     for (CLI::Option* one : own)
         for (CLI::Option* other : own)

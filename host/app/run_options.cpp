@@ -48,6 +48,11 @@ void addInstances(CLI::App& app, Options& options) {
              options.instances, kChoices);
 }
 
+void addLazy(CLI::App& app, Options& options) {
+    addNamed(app, "--lazy", "build what rays come to, while they wait; auto: where that saves time", options.lazy,
+             kChoices);
+}
+
 void addKeepAll(CLI::App& app, Options& options) {
     app.add_flag_callback(
         "--keep-all", [&options] { options.keep.set(); }, "leave nothing out that the scene has no need of");

@@ -16,6 +16,7 @@ void addTree(CLI::App& app, Options& options);
 // After addTree().
 void addSplitMoving(CLI::App& app, Options& options);
 void addInstances(CLI::App& app, Options& options);
+void addLazy(CLI::App& app, Options& options);
 void addKeepAll(CLI::App& app, Options& options);
 void addTraversal(CLI::App& app, Options& options, bool several);
 void addOutput(CLI::App& app, Options& options);

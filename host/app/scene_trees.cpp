@@ -15,6 +15,8 @@ bool pays(const TreeWork& work, uint64_t staticTriangles) {
     return work.recurs && !work.showsTree && staticTriangles > work.rays / kRaysPerTriangle;
 }
 
+bool lazinessPays(const TreeWork& work, uint64_t triangles) { return !work.showsTree && work.rays < 0 * triangles; }
+
 double distanceTo(const DeviceTree& tree, const glm::dvec3& eye) {
     const Box bounds = tree.bounds();
     const double unit = std::ldexp(1.0, tree.header.exponent);
@@ -24,13 +26,20 @@ double distanceTo(const DeviceTree& tree, const glm::dvec3& eye) {
 
 }  // namespace
 
+uint64_t raysOf(const Options& options) {
+    const uint64_t pixels = uint64_t{options.width} * options.height;
+    return pixels * samplesOf(options) * (options.view == View::path ? 8 : showsSurfaces(options.view) ? 2 : 1);
+}
+
 SceneTrees::SceneTrees(const Options& options, Session& session, const TreeWork& work) : session_(session) {
     const PosedScene& posed = session.posed();
     const std::vector<bool> nodes = movingNodes(session.scene(), session.animations());
     moving_ = countMoving(posed, nodes);
     const Builder chosen = session.chosenBuilder(work.showsTree);
-    const bool wanted = options.splitMoving == Choice::on ||
-                        (options.splitMoving == Choice::automatic && pays(work, staticTriangles()));
+    isLazy_ = options.lazy == Choice::on || (options.lazy == Choice::automatic && chosen == Builder::gpu &&
+                                             !needForWholeTree(options) && lazinessPays(work, posed.triangles.size()));
+    const bool wanted = !isLazy_ && (options.splitMoving == Choice::on ||
+                                     (options.splitMoving == Choice::automatic && pays(work, staticTriangles())));
     if (!wanted || moving_ == 0 || staticTriangles() == 0) {
         parts_.push_back({chosen, {}, false});
         return;
@@ -50,6 +59,11 @@ uint64_t SceneTrees::staticTriangles() const { return session_.posed().triangles
 
 void SceneTrees::build(bool plain) {
     ms_ = staticMs_ = 0.0;
+    if (isLazy_) {
+        lazy_.reset();  // the old one need not be beside the new one
+        lazy_ = session_.buildLazily();
+        return;
+    }
     for (Part& part : parts_) {
         if (part.stays && part.built.onDevice) continue;
         part.built = {};  // the old one need not be beside the new one
@@ -61,6 +75,7 @@ void SceneTrees::build(bool plain) {
 }
 
 Forest SceneTrees::forest() {
+    if (lazy_) return Forest(*lazy_);
     std::vector<const DeviceTree*> trees;
     for (const Part& part : parts_) trees.push_back(part.built.onDevice.get());
     return Forest(std::move(trees));
@@ -73,6 +88,16 @@ Forest SceneTrees::forest(const glm::dvec3& eye) {
 }
 
 Json SceneTrees::json() const {
+    if (lazy_) {
+        const LazyFigures& f = lazy_->figures();
+        Json json = buildJson(session_.figuresOf(*lazy_));
+        json.update(Json{{"lazyBuiltShare", numberJson(f.builtShare())},
+                         {"topMs", numberJson(f.topMs)},
+                         {"expansions", f.expansions},
+                         {"openNodes", f.openNodes},
+                         {"neverBuilt", f.stillOpen}});
+        return json;
+    }
     if (!areSplit()) return buildJson(parts_.front().built);
     Json json{{"builder", nameOf(builder())}, {"ms", numberJson(ms_)}, {"trees", parts_.size()}};
     uint64_t nodes = 0, leaves = 0, references = 0, peak = 0;
@@ -100,6 +125,12 @@ Json SceneTrees::json() const {
 
 std::string SceneTrees::lines() const {
     std::string text;
+    if (lazy_) {
+        const LazyFigures& f = lazy_->figures();
+        return builtLine(session_.figuresOf(*lazy_)) + "lazily    " + fixed(100.0 * f.builtShare(), 1) + " % built, " +
+               grouped(f.expansions) + " times what rays waited for; " + grouped(f.stillOpen) + " of " +
+               grouped(f.openNodes) + " open nodes never\n";
+    }
     for (const Part& part : parts_) {
         if (areSplit())
             text += "tree      of " + grouped(part.list.size()) + (part.stays ? " that stay\n" : " that move\n");

@@ -18,10 +18,14 @@ struct TreeWork {
     uint64_t rays = 0;       // of a pose
 };
 
+// Rays of a picture, about: what follows from hits depends on what is hit. A path is taken for three bounces, with a
+// shadow ray each.
+uint64_t raysOf(const Options& options);
+
 class SceneTrees {
   public:
-    // Splits as the options say; by itself where a scene recurs and what it saves of building is more than what rays
-    // lose. What stays is built by `exact`, if no builder is named. The session outlives this.
+    // Builds lazily or splits as the options say; splits by itself where a scene recurs and what it saves of building
+    // is more than what rays lose. What stays is built by `exact`, if no builder is named. The session outlives this.
     SceneTrees(const Options& options, Session& session, const TreeWork& work);
 
     bool areSplit() const { return parts_.size() > 1; }
@@ -31,11 +35,13 @@ class SceneTrees {
     // Builds what the session's pose needs: all at first, and then what may have moved. `plain`: without statistics and
     // hashes, which take longer.
     void build(bool plain);
-    // The milliseconds of the last build(), and those of them that went into what stays.
-    double ms() const { return ms_; }
+    // The milliseconds of the last build(), what rays have built since included, and those of them that went into what
+    // stays.
+    double ms() const { return lazy_ ? lazy_->figures().ms : ms_; }
     double staticMs() const { return staticMs_; }
 
-    // On the device; the nearest to `eye` is the first one to be visited.
+    // On the device; of what is lazy, rays build what they come to; the nearest to `eye` is the first one to be
+    // visited.
     Forest forest(const glm::dvec3& eye);
     Forest forest();
 
@@ -54,6 +60,8 @@ class SceneTrees {
     };
 
     Session& session_;
+    bool isLazy_ = false;
+    std::unique_ptr<LazyTree> lazy_;
     std::vector<Part> parts_;  // what stays comes first
     uint64_t moving_ = 0;
     double ms_ = 0.0;

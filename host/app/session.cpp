@@ -183,6 +183,10 @@ void Session::buildOnce(BuiltTree& built, const BuildSettings& settings, std::sp
 
 void Session::finish(BuiltTree& built, const BuildSettings& settings) {
     if (built.builder == Builder::gpu) built.tree = readBack(*built.onDevice);
+    tell(built, settings);
+}
+
+void Session::tell(BuiltTree& built, const BuildSettings& settings) {
     built.ms = medianOf(built.runs);
     built.statistics = computeStatistics(built.tree, settings.costs);
     built.hash = treeHash(built.tree);
@@ -194,6 +198,28 @@ BuiltTree Session::buildPlain(Builder builder, std::span<const uint32_t> list) {
     buildOnce(built, settings_, list);
     built.ms = medianOf(built.runs);
     run_.progress.clear();
+    return built;
+}
+
+std::unique_ptr<LazyTree> Session::buildLazily() {
+    run_.progress.phase("preparing the device");
+    GpuBuilder& builder = run_.device.lazyBuilder();
+    run_.progress.phase("building (gpu, lazily)");
+    const DeviceTriangles& triangles = trianglesOnDevice();
+    auto lazy = builder.buildLazily(triangles, settings_, LazyTree::openUpToFor(triangles.count));
+    run_.progress.clear();
+    return lazy;
+}
+
+BuiltTree Session::figuresOf(const LazyTree& lazy) {
+    BuiltTree built;
+    built.builder = Builder::gpu;
+    built.setupMs = run_.device.builderSetupMilliseconds();
+    built.runs = {lazy.figures().ms};
+    built.peakBytes = lazy.figures().peakBytes;
+    built.memoryLimited = lazy.figures().memoryLimited;
+    built.tree = readBack(lazy.tree());
+    tell(built, settings_);
     return built;
 }
 

@@ -64,6 +64,10 @@ class Session {
     BuiltTree build(Builder builder, const BuildSettings& settings, std::span<const uint32_t> list = {});
     // Only the tree and its time: neither statistics nor a hash, which take longer.
     BuiltTree buildPlain(Builder builder, std::span<const uint32_t> list = {});
+    // Over all triangles by `gpu`, where rays come to. Session and device outlive it.
+    std::unique_ptr<LazyTree> buildLazily();
+    // What became of it, as a tree that was built at once has it.
+    BuiltTree figuresOf(const LazyTree& lazy);
     // Builds the same tree `runs` times; on the device after a warm-up, and once more to see where the time goes.
     BuiltTree buildTimed(Builder builder, uint32_t runs) { return buildTimed(builder, runs, settings_); }
     BuiltTree buildTimed(Builder builder, uint32_t runs, const BuildSettings& settings);
@@ -93,6 +97,7 @@ class Session {
     void buildOnce(BuiltTree& built, const BuildSettings& settings, std::span<const uint32_t> list = {});
     void buildRuns(BuiltTree& built, uint32_t runs, const BuildSettings& settings);
     void finish(BuiltTree& built, const BuildSettings& settings);
+    void tell(BuiltTree& built, const BuildSettings& settings);
 
     Run& run_;
     BuildSettings settings_;

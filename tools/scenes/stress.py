@@ -86,6 +86,17 @@ def stack():
     return g.glb()
 
 
+def place_knot(g, knot, i, j, x, z):
+    """Puts a knot on the ground at (x, z), turned in a way of its own, by the numbers of its row and column."""
+    # The quaternion's length is not exactly 1, and need not be.
+    q = unit([math.sin(1 + 7 * i + 3 * j), math.sin(2 + 5 * i - 2 * j), math.sin(3 + i + 11 * j), math.sin(4 - 3 * i + j)])
+    g.node(mesh=knot, translation=[x, 1.3, z], rotation=[round(c, 7) for c in q])
+
+
+def golden_knot(g, along=254, around=25):
+    return g.mesh((g.geometry(torus_knot(2, 3, along, around, 0.2)), g.material("gold", 0.90, 0.56, 0.12)))
+
+
 def field(rows, columns, along=254, around=25):
     """Knots (of 12,700 triangles) in rows on a ground, each turned its own way: small files, large scenes."""
     g = Gltf()
@@ -93,12 +104,25 @@ def field(rows, columns, along=254, around=25):
     ground = quad(*[[x, 0, z] for x, z in ((sides[0], sides[2]), (sides[0], sides[3]), (sides[1], sides[3]),
                                            (sides[1], sides[2]))])
     g.node(name="ground", mesh=g.mesh((g.geometry(ground), g.material("slate", 0.20, 0.24, 0.29))))
-    knot = g.mesh((g.geometry(torus_knot(2, 3, along, around, 0.2)), g.material("gold", 0.90, 0.56, 0.12)))
+    knot = golden_knot(g, along, around)
     for i in range(rows):
         for j in range(columns):
-            # A quaternion from the knot's number; its length is not exactly 1, and need not be.
-            q = unit([math.sin(1 + 7 * i + 3 * j), math.sin(2 + 5 * i - 2 * j), math.sin(3 + i + 11 * j),
-                      math.sin(4 - 3 * i + j)])
-            place = [2.5 * (j - columns / 2 + 0.5), 1.3, 2.5 * (i - rows / 2 + 0.5)]
-            g.node(mesh=knot, translation=place, rotation=[round(x, 7) for x in q])
+            place_knot(g, knot, i, j, 2.5 * (j - columns / 2 + 0.5), 2.5 * (i - rows / 2 + 0.5))
+    return g.glb()
+
+
+def halls(count=5, side=4):
+    """Halls one behind the other, each full of knots; the camera looks into the first, which hides the others."""
+    g = Gltf()
+    half, depth = 1.25 * side + 0.1, 2.5 * side + 0.2
+    walls = [box([-half, -0.1, -count * depth], [half, 0, 0]), box([-half, 2.7, -count * depth], [half, 2.8, 0])]
+    walls += [box([x - 0.1, 0, -count * depth], [x + 0.1, 2.7, 0]) for x in (-half, half)]
+    walls += [box([-half, 0, -n * depth - 0.1], [half, 2.7, -n * depth]) for n in range(1, count + 1)]
+    g.node(name="walls", mesh=g.mesh((g.geometry(joined(*walls)), g.material("plaster", 0.6, 0.6, 0.58))))
+    knot = golden_knot(g)
+    for n in range(count):
+        for i in range(side):
+            for j in range(side):
+                place_knot(g, knot, n * side + i, j, 2.5 * (j - side / 2 + 0.5), -n * depth - 2.5 * (i + 0.5))
+    g.camera("main", [0, 1.5, 8], [0, 1.3, 0], 45)
     return g.glb()
