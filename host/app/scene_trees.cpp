@@ -15,7 +15,15 @@ bool pays(const TreeWork& work, uint64_t staticTriangles) {
     return work.recurs && !work.showsTree && staticTriangles > work.rays / kRaysPerTriangle;
 }
 
-bool lazinessPays(const TreeWork& work, uint64_t triangles) { return !work.showsTree && work.rays < 0 * triangles; }
+// Rays per triangle from which on so much of the tree is reached, and so many rays wait, that building it whole is as
+// fast: see docs/lazy.md.
+constexpr uint64_t kFewRaysPerTriangle = 2;
+
+bool isBuiltLazily(const Options& options, const TreeWork& work, Builder builder, uint64_t triangles) {
+    if (options.lazy == Choice::on) return true;
+    return options.lazy == Choice::automatic && !needForWholeTree(options) && !options.namesBuilder &&
+           builder == Builder::gpu && !work.recurs && work.rays <= kFewRaysPerTriangle * triangles;
+}
 
 double distanceTo(const DeviceTree& tree, const glm::dvec3& eye) {
     const Box bounds = tree.bounds();
@@ -36,8 +44,7 @@ SceneTrees::SceneTrees(const Options& options, Session& session, const TreeWork&
     const std::vector<bool> nodes = movingNodes(session.scene(), session.animations());
     moving_ = countMoving(posed, nodes);
     const Builder chosen = session.chosenBuilder(work.showsTree);
-    isLazy_ = options.lazy == Choice::on || (options.lazy == Choice::automatic && chosen == Builder::gpu &&
-                                             !needForWholeTree(options) && lazinessPays(work, posed.triangles.size()));
+    isLazy_ = isBuiltLazily(options, work, chosen, posed.triangles.size());
     const bool wanted = !isLazy_ && (options.splitMoving == Choice::on ||
                                      (options.splitMoving == Choice::automatic && pays(work, staticTriangles())));
     if (!wanted || moving_ == 0 || staticTriangles() == 0) {

@@ -206,7 +206,7 @@ std::unique_ptr<LazyTree> Session::buildLazily() {
     GpuBuilder& builder = run_.device.lazyBuilder();
     run_.progress.phase("building (gpu, lazily)");
     const DeviceTriangles& triangles = trianglesOnDevice();
-    auto lazy = builder.buildLazily(triangles, settings_, LazyTree::openUpToFor(triangles.count));
+    auto lazy = builder.buildLazily(triangles, settings_, kOpenUpTo);
     run_.progress.clear();
     return lazy;
 }

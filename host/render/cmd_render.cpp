@@ -289,35 +289,29 @@ const Kernel& PictureKernels::ofAlpha(const TraceMode& mode, const PictureInfo& 
 }
 
 void cmdRenderSample(VkCommandBuffer commands, const PictureKernels& kernels, const PictureTracing& tracing,
-                     const PictureInfo& info, const Range* scratch, uint32_t sample, const RaySlice& slice) {
+                     const PictureInfo& info, const Range* scratch, uint32_t sample, const RaySlice& slice,
+                     SampleStep step) {
     PictureRecording picture(commands, kernels, tracing, info, scratch, sample, slice);
-    if (sample == 0 && slice.first == 0) picture.arguments();
-    picture.cameraRays();
-    picture.primaryHits(false);
+    const bool all = step == SampleStep::all;
+    if (all || step == SampleStep::primary) {
+        if (sample == 0 && slice.first == 0) picture.arguments();
+        picture.cameraRays();
+        picture.primaryHits(false);
+    }
     if (info.view == View::path) return picture.paths();
-    picture.scale();
-    picture.shadowRays();
-    picture.shadowHits(false);
-    picture.colours();
+    if (step == SampleStep::primaryAgain) picture.primaryHits(true);
+    if (all || step == SampleStep::shadows) {
+        picture.scale();
+        picture.shadowRays();
+        picture.shadowHits(false);
+    }
+    if (step == SampleStep::shadowsAgain) picture.shadowHits(true);
+    if (all || step == SampleStep::colours) picture.colours();
 }
 
 void cmdShowPicture(VkCommandBuffer commands, const PictureKernels& kernels, const PictureInfo& info,
                     const Range* scratch, uint32_t samples) {
     PictureRecording(commands, kernels, {}, info, scratch, samples, allRays(info)).pixels();
-}
-
-void cmdResumeSample(VkCommandBuffer commands, const PictureKernels& kernels, const PictureTracing& tracing,
-                     const PictureInfo& info, const Range* scratch, uint32_t sample, const RaySlice& slice,
-                     PictureRays rays) {
-    PictureRecording picture(commands, kernels, tracing, info, scratch, sample, slice);
-    const bool primary = rays == PictureRays::primary;
-    if (primary) {
-        picture.primaryHits(true);
-        picture.scale();
-        picture.shadowRays();
-    }
-    picture.shadowHits(!primary);
-    picture.colours();
 }
 
 }  // namespace cleave

@@ -139,22 +139,23 @@ struct RaySlice {
 };
 inline RaySlice allRays(const PictureInfo& info) { return {0, info.camera.width * info.camera.height}; }
 
+// What of a slice is recorded. Where PictureState tells of rays that are unfinished, those of the camera go on by
+// `primaryAgain`, as often as it takes, then follow `shadows`; shadow rays go on by `shadowsAgain`, then follow
+// `colours`. Rays that wait take the steps one by one. Paths are all at once.
+enum class SampleStep { all, primary, primaryAgain, shadows, shadowsAgain, colours };
+
 // Records sample `sample` of a picture, from 0 on in ascending order, with the ranges of `scratch`, sized as
 // pictureLayout() says: its light, or its colours, are added to those of the samples before. A sample is taken slice by
-// slice, the one with ray 0 first; as a whole in the views that have a scale.
+// slice, the one with ray 0 first; as a whole in the views that have a scale. Colours may be made anew before the next
+// slice.
 void cmdRenderSample(VkCommandBuffer commands, const PictureKernels& kernels, const PictureTracing& tracing,
-                     const PictureInfo& info, const Range* scratch, uint32_t sample, const RaySlice& slice);
+                     const PictureInfo& info, const Range* scratch, uint32_t sample, const RaySlice& slice,
+                     SampleStep step = SampleStep::all);
 
 // Makes pixels of what `samples` samples have gathered. The pixels, the radiance and the PictureState are then where
 // the layout has them.
 void cmdShowPicture(VkCommandBuffer commands, const PictureKernels& kernels, const PictureInfo& info,
                     const Range* scratch, uint32_t samples);
-
-// Where PictureState tells of rays that the step limit ended, a slice goes on by these, as often as it takes, before
-// the next one: the rays of one kind continue, and what follows from their hits is made anew. Not for paths.
-void cmdResumeSample(VkCommandBuffer commands, const PictureKernels& kernels, const PictureTracing& tracing,
-                     const PictureInfo& info, const Range* scratch, uint32_t sample, const RaySlice& slice,
-                     PictureRays rays);
 
 std::span<const Spirv> renderKernels() noexcept;
 

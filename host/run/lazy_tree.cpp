@@ -25,8 +25,6 @@ LazyTree::LazyTree(Device& device, const Context& context, const DeviceTriangles
     figures_.ms = figures_.topMs = watch.milliseconds();
 }
 
-uint32_t LazyTree::openUpToFor(uint32_t triangles) { return std::max(triangles / 256u, 1024u); }
-
 void LazyTree::reserve() {
     const BuildSizes sizes = requireSizes(info_);
     if (tree_.memory.size() < sizes.tree) {

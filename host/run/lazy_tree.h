@@ -11,6 +11,10 @@
 
 namespace cleave {
 
+// References up to which nodes are left open. Of 512 to 32,768 this was best, or nearly so, on scenes of 66,000 to a
+// million triangles (docs/lazy.md).
+inline constexpr uint32_t kOpenUpTo = 1024;
+
 // What came of it so far.
 struct LazyFigures {
     double ms = 0.0;          // of all builds, from triangles on the device to a tree for rays
@@ -46,9 +50,6 @@ class LazyTree {
     bool expandMarked();
     // Builds what is still open.
     void expandAll();
-
-    // The number of references up to which nodes of a scene with so many triangles are best left open.
-    static uint32_t openUpToFor(uint32_t triangles);
 
   private:
     void reserve();

@@ -148,26 +148,32 @@ struct Renderer::State {
         info.settings.bounces = request.bounces;
     }
 
+    PictureState take(const RaySlice& slice, SampleStep step) {
+        run([&] {
+            cmdRenderSample(commands.handle(), kernels, tracing, info, scratch.ranges(), picture.samples, slice, step);
+        });
+        return state();
+    }
+
+    // Lets the rays of one kind go on until all are answered; whether there was one that had to.
+    bool goOn(const RaySlice& slice, SampleStep again, TraceCounters PictureState::*counters, PictureState& told) {
+        uint32_t dispatches = 1;
+        for (; (told.*counters).unfinishedRays > 0 && dispatches < limits.mostDispatches; dispatches++) {
+            if (lazy && lazy->expandMarked()) trees[0] = lazy->address();
+            told = take(slice, again);
+        }
+        return dispatches > 1;
+    }
+
     // A slice of a sample, until all of its rays are answered; what the picture's state tells then.
     PictureState take(const RaySlice& slice) {
-        run([&] {
-            cmdRenderSample(commands.handle(), kernels, tracing, info, scratch.ranges(), picture.samples, slice);
-        });
-        PictureState told = state();
+        const bool waits = lazy != nullptr;
+        PictureState told = take(slice, waits ? SampleStep::primary : SampleStep::all);
         if (info.view == View::path) return told;
-        const auto resume = [&](PictureRays rays, TraceCounters PictureState::*counters) {
-            for (uint32_t i = 1; (told.*counters).unfinishedRays > 0 && i < limits.mostDispatches; i++) {
-                if (lazy && lazy->expandMarked()) trees[0] = lazy->address();
-                run([&] {
-                    cmdResumeSample(commands.handle(), kernels, tracing, info, scratch.ranges(), picture.samples, slice,
-                                    rays);
-                });
-                told = state();
-            }
-        };
-        resume(PictureRays::primary, &PictureState::primary);
-        resume(PictureRays::shadow, &PictureState::shadow);
-        return told;
+        bool behind = goOn(slice, SampleStep::primaryAgain, &PictureState::primary, told) || waits;
+        if (behind) told = take(slice, SampleStep::shadows);
+        behind |= goOn(slice, SampleStep::shadowsAgain, &PictureState::shadow, told);
+        return behind ? take(slice, SampleStep::colours) : told;
     }
 
     // Whole strips of tiles, so that a slice is some rows of the picture.
