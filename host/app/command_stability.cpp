@@ -10,6 +10,7 @@
 #include "formats/write_file.h"
 #include "scene/pose.h"
 #include "stability/cases.h"
+#include "stability/placed_case.h"
 #include "stability/query_sweep.h"
 
 namespace cleave {
@@ -29,16 +30,21 @@ std::vector<Builder> buildersFor(const Options& options, size_t caseIndex) {
     return all;
 }
 
-SceneFigures sweepScene(Run& run, const std::string& name, const std::string& about, std::span<const Triangle> world,
-                        std::span<const Builder> builders) {
-    const TriangleSet set = makeTriangleSet(world);
-    const DeviceTriangles triangles(run.device.device(), world);
-    const Options& options = run.options;
+SweepSettings settingsFor(const Options& options) {
     SweepSettings settings;
     settings.rays = options.rayCount > 0 ? options.rayCount : options.quick ? kQuickRays : kFullRays;
     settings.bruteWork = options.quick ? 1'000'000 : 10'000'000;
     settings.seed = options.seed;
     settings.threads = options.settings.threads;
+    return settings;
+}
+
+SceneFigures sweepScene(Run& run, const std::string& name, const std::string& about, std::span<const Triangle> world,
+                        std::span<const Builder> builders) {
+    const TriangleSet set = makeTriangleSet(world);
+    const DeviceTriangles triangles(run.device.device(), world);
+    const Options& options = run.options;
+    const SweepSettings settings = settingsFor(options);
     SceneSweep sweep(name, world, set, settings);
     const std::vector<TraversalUnderTest> traversals = traversalsFor(run, set);
     const uint64_t work = options.quick ? 30'000 : 300'000;
@@ -61,6 +67,29 @@ SceneFigures sweepScene(Run& run, const std::string& name, const std::string& ab
     return figures;
 }
 
+// The cells of a case in three places, through instances. There are three times as many triangles to judge, so that
+// fewer rays are shot, and a quick run takes one builder.
+std::vector<Cell> sweepPlaced(Run& run, const std::string& name, std::span<const Triangle> mesh,
+                              std::span<const Builder> builders, size_t caseIndex) {
+    SweepSettings settings = settingsFor(run.options);
+    settings.rays = (settings.rays + 7) / 8;
+    Random random(seedFor(seedFor(settings.seed, name), "places"));
+    const PlacedCase placed = placedCase(mesh, random);
+    const TriangleSet set = makeTriangleSet(placed.world);
+    const DeviceTriangles triangles(run.device.device(), placed.world);
+    SceneSweep sweep(name, placed.world, set, settings);
+    sweep.answerBy(buildForTest(run, Builder::exact, set, triangles), traversalsFor(run, set).front());
+    const std::vector<TraversalUnderTest> traversals = placedTraversals(run);
+    if (run.options.quick) builders = builders.subspan(caseIndex % builders.size(), 1);
+    std::vector<Cell> cells;
+    for (const Builder builder : builders) {
+        run.progress.phase(oneLine(name) + " in places (" + nameOf(builder) + ")");
+        const std::vector<Cell> more = sweep.run(buildPlaced(run, builder, placed.instances), traversals);
+        cells.insert(cells.end(), more.begin(), more.end());
+    }
+    return cells;
+}
+
 bool isAsked(const Options& options, std::string_view name) {
     return options.cases.empty() || std::find(options.cases.begin(), options.cases.end(), name) != options.cases.end();
 }
@@ -74,18 +103,22 @@ void runStability(Run& run) {
     if (options.parity) return runParity(run);
     std::vector<SceneFigures> scenes;
     size_t index = 0;
+    const auto add = [&](const std::string& name, const std::string& about, std::span<const Triangle> world) {
+        const std::vector<Builder> builders = buildersFor(options, index);
+        scenes.push_back(sweepScene(run, name, about, world, builders));
+        const std::vector<Cell> placed = sweepPlaced(run, name, world, builders, index);
+        scenes.back().cells.insert(scenes.back().cells.end(), placed.begin(), placed.end());
+    };
     for (const StabilityCase& made : stabilityCases()) {
         ++index;
         if (!isAsked(options, made.name)) continue;
         Random random(seedFor(options.seed, made.name));
         const std::vector<Triangle> world = made.make(random, options.quick);
-        scenes.push_back(
-            sweepScene(run, std::string(made.name), std::string(made.about), world, buildersFor(options, index)));
+        add(std::string(made.name), std::string(made.about), world);
     }
     for (const std::filesystem::path& file : options.scenes) {
-        const PosedScene scene = pose(loadGltf(file));
-        scenes.push_back(
-            sweepScene(run, file.filename().string(), "a file", scene.triangles, buildersFor(options, index++)));
+        ++index;
+        add(file.filename().string(), "a file", pose(loadGltf(file)).triangles);
     }
     run.print("seed " + std::to_string(options.seed) + ", " + oneLine(run.device.name().value_or("")) + "\n\n" +
               stabilityText(scenes));

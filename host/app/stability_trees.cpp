@@ -51,6 +51,34 @@ void buildHalves(Run& run, Builder builder, std::span<const Triangle> world, con
     }
 }
 
+std::shared_ptr<TreeUnderTest> buildPlaced(Run& run, Builder builder, const Instances& instances) {
+    auto placed = std::make_shared<TreeUnderTest>();
+    placed->builder = nameOf(builder);
+    std::vector<std::shared_ptr<DeviceTree>> trees;
+    const auto add = [&](std::span<const Triangle> triangles, std::span<const uint32_t> numbers) {
+        KdTree tree;
+        if (builder == Builder::gpu) {
+            const DeviceTriangles onDevice(run.device.device(), triangles);
+            GpuBuilder& gpu = run.device.builder();
+            const BuildSettings& settings = run.options.settings;
+            trees.push_back(numbers.empty() ? gpu.build(onDevice, settings).tree
+                                            : gpu.buildNumbered(onDevice, settings, numbers).tree);
+            if (trees.size() == 1) tree = readBack(*trees.back());
+        } else {
+            const TriangleSet set = makeTriangleSet(triangles);
+            tree = hostBuilder(builder.name).build(set, run.options.settings).tree;
+            trees.push_back(uploadTree(run.device.device(), set, tree, numbers));
+        }
+        if (trees.size() == 1) placed->tree = std::move(tree);
+    };
+    for (const std::vector<Triangle>& mesh : instances.meshes) add(mesh, {});
+    if (!instances.rest.empty() || instances.meshes.empty()) add(instances.rest, instances.restNumbers);
+    placed->instances =
+        std::make_shared<DeviceInstances>(placeTrees(run.device.device(), std::move(trees), instances.nodes,
+                                                     instances.places, instances.treeOf, instances.exponent));
+    return placed;
+}
+
 std::vector<TraversalUnderTest> traversalsFor(Run& run, const TriangleSet& set) {
     const auto onDevice = [&run](Traversal traversal, Query query, bool inHalves) {
         return [&run, traversal, query, inHalves](const TreeUnderTest& tree, std::span<const Ray> rays) {
@@ -66,6 +94,19 @@ std::vector<TraversalUnderTest> traversalsFor(Run& run, const TriangleSet& set) 
             {traversalName("two trees", query), onDevice(kDefaultTraversal, query, true), UINT64_MAX, query});
     }
     traversals.push_back(hostStack(set, kStackWork, run.options.settings.threads));
+    return traversals;
+}
+
+std::vector<TraversalUnderTest> placedTraversals(Run& run) {
+    std::vector<TraversalUnderTest> traversals;
+    for (const Query query : {Query::closest, Query::any})
+        for (const Traversal t : kDeviceTraversals) {
+            const TraceMode mode{query, t, TriangleTest::watertight, true};
+            const auto trace = [&run, mode](const TreeUnderTest& tree, std::span<const Ray> rays) {
+                return run.device.tracer().trace(*tree.instances, rays, mode);
+            };
+            traversals.push_back({traversalName("instances " + nameOf(t), query), trace, UINT64_MAX, query});
+        }
     return traversals;
 }
 

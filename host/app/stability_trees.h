@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/run.h"
+#include "instances/instances.h"
 #include "stability/sweep.h"
 
 namespace cleave {
@@ -17,9 +18,13 @@ std::shared_ptr<TreeUnderTest> buildForTest(Run& run, Builder builder, const Tri
 // Builds the trees of the two halves of a scene, too.
 void buildHalves(Run& run, Builder builder, std::span<const Triangle> world, const DeviceTriangles& triangles,
                  TreeUnderTest& tree);
+// Builds the trees of a placed case and puts them in their places.
+std::shared_ptr<TreeUnderTest> buildPlaced(Run& run, Builder builder, const Instances& instances);
 
 // Those of the device, for closest and for any hits, with steps counted, the fastest of them through two trees as well,
 // and the walk on the host where it is affordable.
 std::vector<TraversalUnderTest> traversalsFor(Run& run, const TriangleSet& set);
+// Those of the device through instances, likewise.
+std::vector<TraversalUnderTest> placedTraversals(Run& run);
 
 }  // namespace cleave

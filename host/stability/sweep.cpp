@@ -10,7 +10,7 @@ SceneSweep::SceneSweep(std::string scene, std::span<const Triangle> world, const
     : scene_(std::move(scene)), world_(world), set_(set), settings_(settings), reference_(world, set.included) {}
 
 std::vector<Hit> SceneSweep::answer(std::span<const Ray> rays) const {
-    if (!isSmall(rays.size())) return firstTraversal_->trace(*firstTree_, rays).hits;
+    if (!isSmall(rays.size())) return answeringBy_->trace(*answering_, rays).hits;
     std::vector<Hit> hits(rays.size());
     forEachStrided(rays.size(), settings_.threads,
                    [&](size_t, size_t i) { hits[i] = bruteForce(set_, rays[i], Query::closest); });
@@ -27,14 +27,16 @@ Volley SceneSweep::volley(const RayFamily& family, const KdTree* tree) const {
     return volley;
 }
 
+void SceneSweep::answerBy(std::shared_ptr<const TreeUnderTest> tree, const TraversalUnderTest& traversal) {
+    answering_ = std::move(tree);
+    answeringBy_ = traversal;
+    for (const RayFamily& family : rayFamilies())
+        if (!family.needsTree) shared_.push_back(volley(family, nullptr));
+}
+
 std::vector<Cell> SceneSweep::run(std::shared_ptr<const TreeUnderTest> tree,
                                   std::span<const TraversalUnderTest> traversals) {
-    if (!firstTree_) {
-        firstTree_ = tree;
-        firstTraversal_ = traversals.front();
-        for (const RayFamily& family : rayFamilies())
-            if (!family.needsTree) shared_.push_back(volley(family, nullptr));
-    }
+    if (!answering_) answerBy(tree, traversals.front());
     std::vector<Volley> own;
     for (const RayFamily& family : rayFamilies())
         if (family.needsTree) own.push_back(volley(family, &tree->tree));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "measure/statistics.h"
+#include "run/device_instances.h"
 #include "stability/cell.h"
 
 namespace cleave {
@@ -16,6 +17,7 @@ struct TreeUnderTest {
     KdTree tree;
     std::shared_ptr<DeviceTree> onDevice;             // null where no traversal of the device is tested
     std::vector<std::shared_ptr<DeviceTree>> halves;  // over every other triangle each; none of scenes of one or none
+    std::shared_ptr<DeviceInstances> instances;       // only of a placed case (placed_case.h), `tree` being the first
     TreeStatistics statistics;
     double buildMs = 0.0;
 };
@@ -42,7 +44,10 @@ class SceneSweep {
     SceneSweep(std::string scene, std::span<const Triangle> world, const TriangleSet& set,
                const SweepSettings& settings);
 
-    // A cell per traversal and family. The first tree given is kept: large scenes are answered by it.
+    // What answers where brute force takes too long: unless it is told, the first tree and traversal that are run.
+    void answerBy(std::shared_ptr<const TreeUnderTest> tree, const TraversalUnderTest& traversal);
+
+    // A cell per traversal and family.
     std::vector<Cell> run(std::shared_ptr<const TreeUnderTest> tree, std::span<const TraversalUnderTest> traversals);
 
   private:
@@ -55,8 +60,8 @@ class SceneSweep {
     const TriangleSet& set_;
     SweepSettings settings_;
     Reference reference_;
-    std::shared_ptr<const TreeUnderTest> firstTree_;
-    std::optional<TraversalUnderTest> firstTraversal_;
+    std::shared_ptr<const TreeUnderTest> answering_;
+    std::optional<TraversalUnderTest> answeringBy_;
     std::vector<Volley> shared_;  // of the families that need no tree
 };
 
