@@ -60,6 +60,11 @@ SceneFigures sweepScene(Run& run, const std::string& name, const std::string& ab
         figures.trees.push_back({tree->builder, s.nodes, s.maxDepth, each, tree->buildMs});
         std::vector<Cell> cells = sweep.run(tree, traversals);
         figures.cells.insert(figures.cells.end(), cells.begin(), cells.end());
+        if (builder == Builder::gpu) {
+            buildLazily(run, triangles, *tree);
+            cells = sweep.run(tree, lazyTraversals(run));
+            figures.cells.insert(figures.cells.end(), cells.begin(), cells.end());
+        }
         const std::vector<QueryCell> more =
             queries.run(queriesOf(tree->builder, *tree->onDevice, run.device.tracer(), run.device.searcher()));
         figures.queries.insert(figures.queries.end(), more.begin(), more.end());

@@ -51,6 +51,12 @@ void buildHalves(Run& run, Builder builder, std::span<const Triangle> world, con
     }
 }
 
+void buildLazily(Run& run, const DeviceTriangles& triangles, TreeUnderTest& tree) {
+    tree.lazy.clear();
+    for (size_t i = 0; i < lazyTraversals(run).size(); ++i)
+        tree.lazy.push_back(run.device.lazyBuilder().buildLazily(triangles, run.options.settings, kExactUpTo));
+}
+
 std::shared_ptr<TreeUnderTest> buildPlaced(Run& run, Builder builder, const Instances& instances) {
     auto placed = std::make_shared<TreeUnderTest>();
     placed->builder = nameOf(builder);
@@ -94,6 +100,20 @@ std::vector<TraversalUnderTest> traversalsFor(Run& run, const TriangleSet& set) 
             {traversalName("two trees", query), onDevice(kDefaultTraversal, query, true), UINT64_MAX, query});
     }
     traversals.push_back(hostStack(set, kStackWork, run.options.settings.threads));
+    return traversals;
+}
+
+std::vector<TraversalUnderTest> lazyTraversals(Run& run) {
+    std::vector<TraversalUnderTest> traversals;
+    for (const Query query : {Query::closest, Query::any})
+        for (const Traversal t : kDeviceTraversals) {
+            const TraceMode mode{query, t, TriangleTest::watertight, true};
+            const auto trace = [&run, mode, i = traversals.size()](const TreeUnderTest& tree,
+                                                                   std::span<const Ray> rays) {
+                return run.device.tracer().trace(Forest(*tree.lazy[i]), rays, mode);
+            };
+            traversals.push_back({traversalName("lazy " + nameOf(t), query), trace, UINT64_MAX, query});
+        }
     return traversals;
 }
 

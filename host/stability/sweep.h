@@ -18,6 +18,7 @@ struct TreeUnderTest {
     std::shared_ptr<DeviceTree> onDevice;             // null where no traversal of the device is tested
     std::vector<std::shared_ptr<DeviceTree>> halves;  // over every other triangle each; none of scenes of one or none
     std::shared_ptr<DeviceInstances> instances;       // only of a placed case (placed_case.h), `tree` being the first
+    std::vector<std::shared_ptr<LazyTree>> lazy;      // one of each traversal that waits; none where that is not tested
     TreeStatistics statistics;
     double buildMs = 0.0;
 };
