@@ -64,6 +64,7 @@ const char* traceKernelName(const TraceMode& mode) {
     const auto of = [&](const char* plain, const char* instances, const char* lazy) {
         return mode.instances ? instances : mode.lazy ? lazy : plain;
     };
+    if (mode.single) return "trace_single";
     switch (mode.traversal) {
         case Traversal::stack:
             return of("trace_stack", "trace_instances_stack", "trace_lazy_stack");

@@ -10,7 +10,7 @@ namespace cleave {
 // ray through many trees a trail says too little. A ray that waits goes on in any case.
 inline bool mayGoOn(const TraceMode& mode) noexcept {
     return (mode.query == Query::closest || mode.query == Query::any) &&
-           (mode.traversal != Traversal::stack || mode.lazy) && !mode.instances;
+           (mode.traversal != Traversal::stack || mode.lazy) && !mode.instances && !mode.single;
 }
 
 inline TracePush tracePush(const TraceInfo& info) noexcept {

@@ -20,7 +20,9 @@ constexpr const char* kNames[] = {
     CLEAVE_PICTURE_PASSES(CLEAVE_PASS_NAME)
 #undef CLEAVE_PASS_NAME
 };
-const char* alphaKernel(const TraceMode& mode) { return mode.lazy ? "trace_alpha_lazy" : "trace_alpha"; }
+const char* alphaKernel(const TraceMode& mode) {
+    return mode.single ? "trace_alpha_single" : mode.lazy ? "trace_alpha_lazy" : "trace_alpha";
+}
 
 std::vector<PictureKernels::Pass> passesOf(View view) {
     using P = PictureKernels;

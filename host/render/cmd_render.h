@@ -51,6 +51,8 @@ struct PictureInfo {
     bool instances = false;
     // Of the only tree: as TraceInfo::open, for rays that wait; 0: none does. Not for paths.
     VkDeviceAddress open = 0;
+    // The only one is a single leaf, of few triangles (TraceMode::single).
+    bool single = false;
     Box bounds = emptyBox();        // of all trees, in the scaled space of `exponent`
     int32_t exponent = 0;           // the largest of the trees'
     VkDeviceAddress triangles = 0;  // 36 bytes each: the vertices in world space, by number
@@ -80,15 +82,23 @@ struct PictureInfo {
     }
     PictureParts parts() const {
         PictureParts p = partsOf(static_cast<uint32_t>(view));
-        p.trails = kept.trails || mayGoOn({Query::closest, traversal, test, false, instances, open != 0});
+        p.trails = kept.trails || mayGoOn(modeOf(Query::closest, false));
         p.steps = p.steps || kept.steps;
         p.shadows = p.shadows || kept.shadows;
         p.emitters = kept.emitters || settings.emitters.slots > 0;
         p.trees = static_cast<uint32_t>(trees.size());
         return p;
     }
-    TraceMode primaryMode() const { return {Query::closest, traversal, test, parts().steps, instances, open != 0}; }
-    TraceMode shadowMode() const { return {Query::any, traversal, test, false, false, open != 0}; }
+    TraceMode primaryMode() const { return modeOf(Query::closest, parts().steps); }
+    TraceMode shadowMode() const { return modeOf(Query::any, false); }
+
+  private:
+    TraceMode modeOf(Query query, bool countSteps) const {
+        TraceMode mode{query, traversal, test, countSteps, instances};
+        mode.single = single && !countSteps && test == TriangleTest::watertight;
+        mode.lazy = open != 0;
+        return mode;
+    }
 };
 
 // The arguments of a picture's kernels, which lie in `scratch` as `at` says.

@@ -23,6 +23,9 @@ struct DeviceTriangles {
     Geometry geometry() const;
 };
 
+// Triangles of a leaf that rays may as well test one by one.
+inline constexpr uint32_t kFewInLeaf = 32;
+
 // A finished tree, and what it begins with.
 struct DeviceTree {
     Buffer memory;
@@ -30,6 +33,8 @@ struct DeviceTree {
     bool isOfList = false;  // built over some of the triangles: their numbers are not their indices
 
     uint64_t address() const { return memory.address(); }
+    // Whether it is a single leaf, of few triangles (TraceMode::single).
+    bool isSingle() const { return header.nodeCount == 1 && header.leafRefCount <= kFewInLeaf; }
     Box bounds() const;
 };
 
@@ -46,6 +51,7 @@ struct Forest {
     // As a tree over all of the triangles would have them.
     int exponent() const;
     Box bounds() const;
+    bool isSingle() const { return trees.size() == 1 && !lazy && trees.front()->isSingle(); }
 };
 
 // A tree of the host, moved to the device. `set` is what it was built over; `numbers`: those of its triangles; empty:

@@ -228,6 +228,7 @@ void Renderer::begin(const Forest& forest, const DeviceTriangles& triangles, con
     scene.bounds = forest.bounds();
     scene.exponent = forest.exponent();
     scene.triangles = triangles.triangles.address();
+    scene.single = forest.isSingle();
     if (forest.lazy) scene.open = forest.lazy->open();
     scene.surfaces = surfaces.addresses();
     begin(scene, request);

@@ -120,9 +120,10 @@ Tracer::Result Tracer::trace(const Forest& forest, std::span<const Ray> rays, co
                              std::span<const Hit> from) {
     std::vector<uint64_t> addresses;
     for (const DeviceTree* tree : forest.trees) addresses.push_back(tree->address());
-    TraceMode waiting = mode;
-    waiting.lazy = forest.lazy != nullptr;
-    return traceFrom(addresses, forest.exponent(), rays, waiting, from, forest.lazy);
+    TraceMode suited = mode;
+    suited.lazy = forest.lazy != nullptr;
+    suited.single = forest.isSingle() && from.empty() && !mode.countSteps && mode.test == TriangleTest::watertight;
+    return traceFrom(addresses, forest.exponent(), rays, suited, from, forest.lazy);
 }
 
 Tracer::Result Tracer::trace(const DeviceInstances& instances, std::span<const Ray> rays, TraceMode mode) {

@@ -15,7 +15,11 @@ bool findsSurface(uint number, float u, float v);
 #define CLEAVE_IS_OPAQUE isOpaqueTriangle
 #define CLEAVE_ACCEPTS findsSurface
 #define CLEAVE_MORE_PUSH PicturePush picture;
+#ifdef TRACES_SINGLE
+#include "lib/trace_single.glsl"
+#else
 #include "lib/trace_main.glsl"
+#endif
 
 #define args picture.args.at
 #include "lib/surface.glsl"

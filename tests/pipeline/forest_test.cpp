@@ -160,6 +160,33 @@ TEST(Forest, ShowsWhatOneTreeShows) {
             }
 }
 
+// A tree of one leaf has kernels of its own.
+TEST(Forest, ShowsTheSameByASingleLeaf) {
+    SmallPicture small = smallPicture(kFewInLeaf, 27);
+    for (Triangle& t : small.world) t = {t.a, t.a + 2.0f * (t.b - t.a), t.a + 2.0f * (t.c - t.a)};
+    const TriangleSet set = makeTriangleSet(small.world);
+    const DeviceTriangles triangles(device(), small.world);
+    const auto leaf = uploadTree(device(), set, buildBrute(set));
+    const auto tree = oneTree(small.world);
+    ASSERT_TRUE(leaf->isSingle() && !tree->isSingle());
+    SurfaceData backs = small.data;
+    backs.materials[0].flags = kMaterialSingleSided;
+    backs.singleSided = true;
+    const DeviceSurfaces opaque(device(), small.data), half(device(), blended(small.data)), front(device(), backs);
+    Tracer tracer(device());
+    Renderer renderer(device(), tracer);
+    PictureRequest& request = small.request;
+    request.lighting.sky = {vec3(1.0f), vec3(0.5f)};
+    for (const DeviceSurfaces* surfaces : {&opaque, &half, &front})
+        for (const View view : {View::shaded, View::path}) {
+            SCOPED_TRACE(static_cast<int>(view));
+            request.view = view;
+            request.samples = 2;
+            const Picture want = renderer.render(*tree, triangles, *surfaces, request);
+            EXPECT_EQ(renderer.render(*leaf, triangles, *surfaces, request).pixels, want.pixels);
+        }
+}
+
 // The views of a tree show the sum of all trees.
 TEST(Forest, ShowsTheStepsOfAllItsTrees) {
     SmallPicture small = smallPicture(2000, 25);

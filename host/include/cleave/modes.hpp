@@ -35,6 +35,9 @@ struct TraceMode {
     // Closest and any hits: through meshes that stand in places (PlacedScene in shaders/shared/placed_mesh.h), not
     // through one tree.
     bool instances = false;
+    // Closest and any hits, steps uncounted, watertight: the tree is a single leaf (its nodeCount is 1), of few
+    // triangles. All are tested, by whatever traversal; the kernel is compiled sooner.
+    bool single = false;
     // Closest and any hits: rays wait at nodes that were left open (TraceInfo::open).
     bool lazy = false;
     bool operator==(const TraceMode&) const = default;
