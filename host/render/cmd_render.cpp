@@ -21,7 +21,15 @@ constexpr const char* kNames[] = {
 #undef CLEAVE_PASS_NAME
 };
 const char* alphaKernel(const TraceMode& mode) {
-    return mode.single ? "trace_alpha_single" : mode.lazy ? "trace_alpha_lazy" : "trace_alpha";
+    if (mode.single) return "trace_alpha_single";
+    switch (mode.traversal) {
+        case Traversal::stack:
+            return mode.lazy ? "trace_alpha_lazy_stack" : "trace_alpha_stack";
+        case Traversal::shortStack:
+            return mode.lazy ? "trace_alpha_lazy_short_stack" : "trace_alpha_short_stack";
+        default:
+            return mode.lazy ? "trace_alpha_lazy" : "trace_alpha";
+    }
 }
 
 std::vector<PictureKernels::Pass> passesOf(View view) {
@@ -65,7 +73,7 @@ static_assert(kWatertightTest == static_cast<uint32_t>(TriangleTest::watertight)
 
 std::vector<uint32_t> alphaConstants(const TraceMode& mode, const PictureInfo& info) {
     return {mode.query == Query::any ? 1u : 0u, mode.countSteps ? 1u : 0u, static_cast<uint32_t>(mode.test),
-            info.surfaces.parts & ~kPartNormals, static_cast<uint32_t>(mode.traversal)};
+            info.surfaces.parts & ~kPartNormals};
 }
 
 class PictureRecording {

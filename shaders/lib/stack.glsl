@@ -8,6 +8,11 @@
 #include "lib/crossing_list.glsl"
 #include "lib/walk.glsl"
 
+// Whether a walk may look for all crossings; kernels that never do are compiled sooner without.
+#ifndef CLEAVE_CROSSINGS
+#define CLEAVE_CROSSINGS true
+#endif
+
 // Marks an entry whose plane is passed at an uncertain t; see walkStack().
 const uint kUncertain = 0x80000000u;
 const uint kOnTop = 4u;
@@ -59,7 +64,7 @@ bool walkStack(TreeParts tree, ScaledRay ray, uint sought, inout Best best, inou
             at.tMax = s.goNear ? min(at.tMax, s.tHigh) : at.tMax;
             node = nodeAt(tree, at.node);
         }
-        if (sought == kAllCrossings) {
+        if (CLEAVE_CROSSINGS && sought == kAllCrossings) {
             collectFrom(tree, ray, node, list);
             best.tHigh = endOf(list, ray);
         } else {

@@ -6,12 +6,10 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shared/picture_args.h"
 
-layout(constant_id = 4) const uint kTraversal = 0u;
-
 bool isOpaqueTriangle(uint number);
 bool findsSurface(uint number, float u, float v);
 
-#define CLEAVE_TRAVERSAL kTraversal
+#define CLEAVE_LOOKS_THROUGH true
 #define CLEAVE_IS_OPAQUE isOpaqueTriangle
 #define CLEAVE_ACCEPTS findsSurface
 #define CLEAVE_MORE_PUSH PicturePush picture;

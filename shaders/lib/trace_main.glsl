@@ -9,6 +9,7 @@ layout(constant_id = 2) const uint kTriangleTest = 0u;
 
 #define CLEAVE_COUNT_STEPS kCountSteps
 #define CLEAVE_TEST kTriangleTest
+#define CLEAVE_CROSSINGS false
 // TRACES_LAZILY: rays wait at leaves that were left open.
 #ifdef TRACES_LAZILY
 bool marksOpen(uint node);

@@ -28,8 +28,11 @@
 bool isAlwaysOpaque(uint number) { return true; }
 bool acceptsAll(uint number, float u, float v) { return true; }
 
-// Rays may look through triangles. Of a triangle that is not opaque, by the function of this name, a hit counts if the
+// Rays may look through triangles, where this is true. Of a triangle that is not opaque, by the function of this name, a hit counts if the
 // other accepts it: it must say the same of the same hit of a ray, however often it is asked, and in any order.
+#ifndef CLEAVE_LOOKS_THROUGH
+#define CLEAVE_LOOKS_THROUGH false
+#endif
 #ifndef CLEAVE_IS_OPAQUE
 #define CLEAVE_IS_OPAQUE isAlwaysOpaque
 #endif
@@ -304,7 +307,7 @@ bool testLeaf(TreeParts tree, ScaledRay ray, KdNode leaf, bool anyHit, inout Bes
         TreeTriangle t = triangleAt(tree, index);
         FilteredHit f = filtered(ray, t);
         if (f.misses || f.tLow > best.tHigh || f.tHigh < ray.tMin) continue;
-        if (!CLEAVE_IS_OPAQUE(t.number)) {
+        if (CLEAVE_LOOKS_THROUGH && !CLEAVE_IS_OPAQUE(t.number)) {
             Hit h = decided(ray, t);
             if (h.t == infinity() || !CLEAVE_ACCEPTS(t.number, h.u, h.v)) continue;
         }

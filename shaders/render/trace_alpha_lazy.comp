@@ -1,5 +1,5 @@
 #version 460
-// Does the same in a tree that is built where rays come to.
+// Traces rays of a picture that looks through something, without a stack, in a tree that is built where rays come to.
 #extension GL_GOOGLE_include_directive : require
 #define TRACES_LAZILY
 #include "lib/trace_alpha.glsl"
