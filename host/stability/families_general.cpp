@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "stability/aim.h"
+#include "stability/plane_points.h"
 
 namespace cleave {
 
@@ -101,6 +102,26 @@ std::vector<Ray> surfaceRays(const Target& target) {
     });
 }
 
+float sizeOf(const Triangle& t) { return std::max(largestComponent(t.b - t.a), largestComponent(t.c - t.a)); }
+
+// From floats that are exactly in a triangle's plane, and from such as double would place on either side of it. Half as
+// many as are wanted: each takes a search. Triangles below 1e-15 of the scene are left out: a hair off their planes, t
+// is below the smallest normal number in the scale of a tree, and trees of different scales round it in their own ways.
+std::vector<Ray> planeStartRays(const Target& target) {
+    if (target.set.included.empty()) return {};
+    const Place place = placeOf(target.set);
+    Target half = target;
+    half.count = (target.count + 1) / 2;
+    return collect(half, [&](Random& random, uint64_t i) {
+        const Triangle& t = anyTriangle(target, random);
+        std::optional<vec3> from;
+        if (sizeOf(t) > 1e-15 * place.diagonal)
+            from = i % 2 == 0 ? pointInPlane(t, random) : pointBesidePlane(t, random);
+        if (!from) return Ray{vec3(0.0f), 0.0f, vec3(0.0f), 0.0f};  // no valid one
+        return aimed(*from, vec3(dvec3(*from) + place.diagonal * random.direction()));
+    });
+}
+
 // Directions from the smallest denormals to the largest floats.
 std::vector<Ray> lengthRays(const Target& target) {
     const Place place = placeOf(target.set);
@@ -118,6 +139,7 @@ constexpr RayFamily kFamilies[] = {
     {"zeros", "one or two components 0 or -0", false, false, zeroRays},
     {"grazing", "1e-1 to 1e-7 off a triangle's plane", false, false, grazingRays},
     {"surface", "from points that were hit", false, false, surfaceRays},
+    {"plane-starts", "from a triangle's plane, exactly or nearly so", false, false, planeStartRays},
     {"lengths", "directions of length 1e-44 to 3e38", false, false, lengthRays},
 };
 

@@ -9,6 +9,7 @@
 #include "judge/oracle.h"
 #include "run/renderer.h"
 #include "support/device.h"
+#include "support/runners.h"
 #include "support/scenes.h"
 
 namespace cleave::test {
@@ -39,8 +40,7 @@ Shown shown(const std::vector<Triangle>& world, const SurfaceData& data, const P
     const DeviceTriangles triangles(device(), world);
     const DeviceSurfaces surfaces(device(), data);
     const auto tree = uploadTree(device(), set, buildExact(set, BuildSettings{}));
-    Tracer tracer(device());
-    Renderer renderer(device(), tracer);
+    Renderer& renderer = sharedRenderer();
     EXPECT_EQ(renderer.render(*tree, triangles, surfaces, request).cappedRays, 0u);
     return {renderer.readRays(), renderer.readHits(), renderer.readRadiance()};
 }
@@ -120,7 +120,7 @@ TEST(Alpha, GoesOnWhereTheStepLimitEndedARay) {
     const DeviceTriangles triangles(device(), scene.world);
     const DeviceSurfaces surfaces(device(), scene.data);
     const auto tree = uploadTree(device(), set, buildExact(set, BuildSettings{}));
-    Tracer tracer(device());
+    Tracer& tracer = sharedTracer();
     Renderer usual(device(), tracer), limited(device(), tracer, {.stepLimit = 5});
     PictureRequest request;
     request.camera = cameraAt({0.4, 0.5, 3.5}, {0.02, 0.01, -1}, 48);

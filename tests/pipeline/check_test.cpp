@@ -10,6 +10,7 @@
 #include "scene/camera.h"
 #include "scene/ray_sets.h"
 #include "support/device.h"
+#include "support/runners.h"
 #include "support/scene_files.h"
 
 namespace cleave::test {
@@ -30,8 +31,8 @@ void expectAgreement(const Reference& reference, const std::vector<Ray>& rays, c
 }  // namespace
 
 TEST(Check, SceneFilesAgreeWithTheReference) {
-    GpuBuilder builder(device());
-    Tracer tracer(device());
+    GpuBuilder& builder = sharedBuilder();
+    Tracer& tracer = sharedTracer();
     for (const auto& file : sceneFiles(100000)) {
         SCOPED_TRACE(file.string());
         const PosedScene scene = pose(loadGltf(file));
@@ -64,7 +65,7 @@ TEST(Check, FindsWrongHits) {
     const PosedScene scene = pose(loadGltf(std::string(CLEAVE_SOURCE) + "/scenes/cornell.glb"));
     const TriangleSet set = makeTriangleSet(scene.triangles);
     const Reference reference(scene.triangles, set.included);
-    Tracer tracer(device());
+    Tracer& tracer = sharedTracer();
     const auto tree = uploadTree(device(), set, buildExact(set, BuildSettings{}));
     const std::vector<Ray> rays = primaryRays(finiteBounds(scene.triangles), false, 64);
     std::vector<Hit> hits = tracer.trace(*tree, rays).hits;

@@ -7,6 +7,7 @@
 #include "builders/builders.h"
 #include "run/gpu_builder.h"
 #include "support/device.h"
+#include "support/runners.h"
 #include "support/small_picture.h"
 #include "support/trace_cases.h"
 
@@ -19,7 +20,7 @@ struct Wood {
 
     Wood(const std::vector<Triangle>& world, uint32_t count) {
         const DeviceTriangles triangles(device(), world);
-        GpuBuilder builder(device());
+        GpuBuilder& builder = sharedBuilder();
         for (uint32_t first = 0; first < count; first++) {
             std::vector<uint32_t> list;
             for (uint32_t i = first; i < world.size(); i += count) list.push_back(i);
@@ -91,7 +92,7 @@ TEST(Forest, AnswersAsOneTreeDoesAtAnyScale) {
             rays[i].origin = timesPowerOfTwo(rays[i].origin, apart);
             rays[i].direction = timesPowerOfTwo(rays[i].direction, apart);
         }
-        Tracer tracer(device());
+        Tracer& tracer = sharedTracer();
         expectSameHits(tracer.trace(wood.forest(), rays).hits, tracer.trace(*one, rays).hits, Query::closest);
     }
 }
@@ -108,7 +109,7 @@ TEST(Forest, TellsHitsApartWhoseTIsBelowTheSmallestFloat) {
         ray.direction = timesPowerOfTwo(ray.direction, up);
         ray.origin = timesPowerOfTwo(ray.origin, -6);
     }
-    Tracer tracer(device());
+    Tracer& tracer = sharedTracer();
     const std::vector<Hit> want = tracer.trace(*one, rays).hits;
     EXPECT_GT(std::ranges::count_if(want, [](const Hit& hit) { return hit.prim != kNone && hit.t == 0.0f; }), 100);
     expectSameHits(tracer.trace(wood.forest(), rays).hits, want, Query::closest);
@@ -118,7 +119,7 @@ TEST(Forest, CountsTheStepsOfAllItsTrees) {
     const std::vector<Triangle> world = mixedTriangles(400, 23);
     const std::vector<Ray> rays = mixedRays(1000, 23);
     const Wood wood(world, 2);
-    Tracer tracer(device());
+    Tracer& tracer = sharedTracer();
     const TraceMode mode{.countSteps = true};
     const Tracer::Result first = tracer.trace(*wood.trees[0], rays, mode);
     const Tracer::Result second = tracer.trace(*wood.trees[1], rays, mode, first.hits);
@@ -139,7 +140,7 @@ TEST(Forest, ShowsWhatOneTreeShows) {
     const auto one = oneTree(small.world);
     const Wood wood(small.world, 2);
     const DeviceSurfaces opaque(device(), small.data), seenThrough(device(), blended(small.data));
-    Tracer tracer(device());
+    Tracer& tracer = sharedTracer();
     Renderer usual(device(), tracer), limited(device(), tracer, {.stepLimit = 9});
     for (const DeviceSurfaces* surfaces : {&opaque, &seenThrough})
         for (const View view : {View::shaded, View::path, View::normals, View::depth})
@@ -193,13 +194,12 @@ TEST(Forest, ShowsTheStepsOfAllItsTrees) {
     const DeviceTriangles triangles(device(), small.world);
     const Wood wood(small.world, 2);
     const DeviceSurfaces surfaces(device(), small.data);
-    Tracer tracer(device());
-    Renderer renderer(device(), tracer);
+    Renderer& renderer = sharedRenderer();
     small.request.view = View::steps;
     const Picture both = renderer.render(wood.forest(), triangles, surfaces, small.request);
     const std::vector<Ray> rays = renderer.readRays();
     std::vector<uint32_t> counts;
-    for (const StepCount& s : tracer.trace(wood.forest(), rays, {.countSteps = true}).steps)
+    for (const StepCount& s : sharedTracer().trace(wood.forest(), rays, {.countSteps = true}).steps)
         counts.push_back(s.inner + s.leaves);
     std::ranges::sort(counts);
     EXPECT_EQ(both.scaleHigh, static_cast<float>(counts[scaleRank(static_cast<uint32_t>(counts.size()))]));

@@ -11,6 +11,7 @@
 #include "run/tracer.h"
 #include "support/device.h"
 #include "support/instanced_scene.h"
+#include "support/runners.h"
 #include "support/scenes.h"
 
 namespace cleave::test {
@@ -94,7 +95,7 @@ std::vector<Ray> raysAt(const Both& both, uint32_t n, uint32_t seed) {
 }
 
 void expectSame(const Both& both, const std::vector<Ray>& rays, TraceMode mode) {
-    Tracer tracer(device());
+    Tracer& tracer = sharedTracer();
     const Tracer::Result want = tracer.trace(*both.copied, rays, mode);
     const Tracer::Result got = tracer.trace(both.placed, rays, mode);
     ASSERT_EQ(got.cappedRays, 0u);
@@ -113,7 +114,7 @@ void expectSame(const Both& both, const std::vector<Ray>& rays, TraceMode mode) 
 
 // Hits are still there where the ray begins and ends at their t, which is rounded.
 void expectEndsToCount(const Both& both, std::vector<Ray> rays, TraceMode mode) {
-    Tracer tracer(device());
+    Tracer& tracer = sharedTracer();
     const Tracer::Result hits = tracer.trace(*both.copied, rays, mode);
     for (size_t i = 0; i < rays.size(); ++i)
         if (hits.hits[i].prim != kNone) rays[i].tMin = rays[i].tMax = hits.hits[i].t;
@@ -176,7 +177,7 @@ TEST(InstancesOnDevice, AnswerSoAtEveryScale) {
 
 // Trees of the device's builder, with numbers that have gaps between them.
 TEST(InstancesOnDevice, TakeTreesOfTheDevice) {
-    GpuBuilder builder(device());
+    GpuBuilder& builder = sharedBuilder();
     const Both both = bothOf(anyScene(6, 1.0, 0.001).scene, &builder);
     expectSame(both, raysAt(both, 5000, 6), {.traversal = Traversal::stack});
 }
@@ -247,7 +248,7 @@ TEST(InstancesOnDevice, AnswerSoInSceneFiles) {
 
 TEST(InstancesOnDevice, AnswerNothingWithoutPlaces) {
     const DeviceInstances none = placeTrees(device(), {}, {}, {}, {}, 0);
-    Tracer tracer(device());
+    Tracer& tracer = sharedTracer();
     const Tracer::Result got = tracer.trace(none, std::vector<Ray>(3, {vec3(0.0f), 0.0f, vec3(1.0f), 1.0f}));
     for (const Hit& hit : got.hits) EXPECT_EQ(hit.prim, kNone);
 }

@@ -9,6 +9,7 @@
 #include "render/alias_table.h"
 #include "shared/tone.h"
 #include "support/lit_world.h"
+#include "support/runners.h"
 
 namespace cleave::test {
 
@@ -150,8 +151,7 @@ TEST(Paths, UnlitSurfacesShowTheirColour) {
     data.surfaceOf.assign(world.size(), 0);
     data.materials = {floor};
     const DeviceSurfaces surfaces(device(), data);
-    Tracer tracer(device());
-    Renderer renderer(device(), tracer);
+    Renderer& renderer = sharedRenderer();
     for (const View view : {View::path, View::shaded})
         for (const float exposure : {0.25f, 1.0f, 4.0f}) {
             PictureRequest request = requestOf(cameraAt({0, 1, 0}, {0, 0, 0}, {0, 0, 1}, 0.5, 16), 4, 3);

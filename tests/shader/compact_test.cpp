@@ -10,6 +10,7 @@
 #include "run/tracer.h"
 #include "shared/tree.h"
 #include "support/device.h"
+#include "support/runners.h"
 #include "support/scenes.h"
 #include "support/trace_cases.h"
 
@@ -63,7 +64,7 @@ TEST(Compact, DoesNotPointIntoTheOriginal) {
     const TriangleSet set = mixedSet(500, 3);
     const std::vector<Ray> rays = mixedRays(500, 3);
     auto original = uploadTree(device(), set, buildExact(set, BuildSettings{}));
-    Tracer tracer(device());
+    Tracer& tracer = sharedTracer();
     const std::vector<Hit> want = tracer.trace(*original, rays).hits;
     const DeviceTree copy = compacted(*context, *original);
     original->memory.write(0, std::vector<char>(original->memory.size()).data(), original->memory.size());

@@ -7,6 +7,7 @@
 #include "run/searcher.h"
 #include "support/closed_surfaces.h"
 #include "support/device.h"
+#include "support/runners.h"
 #include "support/small_points.h"
 #include "tree/open_edges.h"
 
@@ -30,9 +31,7 @@ TEST(QueryContains, EqualsTheReferenceOverClosedSurfaces) {
         ASSERT_EQ(openEdges(world), 0u);
         const TriangleSet set = makeTriangleSet(world);
         const std::vector<vec3> points = pointsAt(world, seed, 500, slivers ? 0.3f : 4.0f);
-        SearchLimits limits;
-        limits.batch = 200;
-        Searcher searcher(device(), limits);
+        Searcher& searcher = sharedSearcher();
         const auto tree = uploadTree(device(), set, buildExact(set, BuildSettings{}));
         const Searcher::Contained found = searcher.contains(*tree, points);
         const vec3 directions[] = {{1, 0, 0}, {0, -1, 0}, {1, 1, 1}, {-0.3f, 0.2f, 0.9f}};

@@ -9,6 +9,7 @@
 #include "run/searcher.h"
 #include "support/closed_surfaces.h"
 #include "support/device.h"
+#include "support/runners.h"
 #include "support/scenes.h"
 #include "support/small_points.h"
 
@@ -22,9 +23,7 @@ std::vector<Triangle> included(const TriangleSet& set) {
 }
 
 void expectNearest(const TriangleSet& set, const KdTree& tree, const std::vector<vec3>& points, float within) {
-    SearchLimits limits;
-    limits.batch = 300;
-    Searcher searcher(device(), limits);
+    Searcher& searcher = sharedSearcher();
     const auto onDevice = uploadTree(device(), set, tree);
     const Searcher::Nearest found = searcher.nearest(*onDevice, points, within);
     ASSERT_EQ(found.hits.size(), points.size());
@@ -73,7 +72,7 @@ TEST(QueryNearest, EqualsTheReference) {
             for (const vec3& v : {t.a, t.b, t.c}) largest = max(largest, largestComponent(v));
         const TriangleSet set = makeTriangleSet(world);
         std::vector<vec3> points = pointsAt(world, seed, 400, largest);
-        Searcher searcher(device());
+        Searcher& searcher = sharedSearcher();
         const auto tree = uploadTree(device(), set, buildExact(set, BuildSettings{}));
         const Searcher::Nearest found = searcher.nearest(*tree, points, infinity());
         for (size_t i = 0; i < points.size(); ++i) {

@@ -9,6 +9,7 @@
 #include "shared/overlap.h"
 #include "support/closed_surfaces.h"
 #include "support/device.h"
+#include "support/runners.h"
 #include "support/scenes.h"
 #include "support/small_points.h"
 
@@ -30,10 +31,7 @@ Pairs wantedPairs(const TriangleSet& set, const std::vector<Box>& boxes) {
 }
 
 void expectOverlaps(const TriangleSet& set, const KdTree& tree, const std::vector<Box>& boxes) {
-    SearchLimits limits;
-    limits.batch = 100;
-    limits.numbers = 1000;
-    Searcher searcher(device(), limits);
+    Searcher& searcher = sharedSearcher();
     const Searcher::Overlaps found = searcher.overlaps(*uploadTree(device(), set, tree), boxes);
     ASSERT_EQ(found.pairs, wantedPairs(set, boxes));
     EXPECT_EQ(found.invalid,

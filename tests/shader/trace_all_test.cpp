@@ -9,6 +9,7 @@
 #include "run/tracer.h"
 #include "support/closed_surfaces.h"
 #include "support/device.h"
+#include "support/runners.h"
 #include "support/scenes.h"
 #include "support/trace_cases.h"
 #include "twin/twin_builder.h"
@@ -20,7 +21,7 @@ bool areSame(const Hit& a, const Hit& b) { return std::memcmp(&a, &b, sizeof a) 
 
 void expectAll(const TriangleSet& set, const KdTree& tree, const std::vector<Ray>& rays, uint32_t hitsPerRay) {
     SCOPED_TRACE("hits per ray " + std::to_string(hitsPerRay));
-    Tracer tracer(device());
+    Tracer& tracer = sharedTracer();
     const auto onDevice = uploadTree(device(), set, tree);
     const Tracer::Result found = tracer.all(*onDevice, rays, hitsPerRay);
     ASSERT_EQ(found.hits.size(), rays.size() * hitsPerRay);
@@ -74,7 +75,7 @@ TEST(TraceAll, EqualsTheReferenceAtEdgesAndVertices) {
         Random random(seed);
         std::vector<Ray> rays = integerRays(seed, slivers ? 0 : 300, 6);
         for (int i = 0; i < 300; ++i) rays.push_back(aimedAt(world, random, slivers ? 1.0f : 6.0f));
-        Tracer tracer(device());
+        Tracer& tracer = sharedTracer();
         const auto tree = uploadTree(device(), set, buildExact(set, BuildSettings{}));
         constexpr uint32_t kMost = 32;
         const Tracer::Result found = tracer.all(*tree, rays, kMost);

@@ -6,6 +6,7 @@
 #include "run/tracer.h"
 #include "support/closed_surfaces.h"
 #include "support/device.h"
+#include "support/runners.h"
 #include "support/scenes.h"
 #include "support/trace_cases.h"
 #include "twin/twin_builder.h"
@@ -14,7 +15,7 @@ namespace cleave::test {
 namespace {
 
 void expectCounts(const TriangleSet& set, const KdTree& tree, const std::vector<Ray>& rays) {
-    Tracer tracer(device());
+    Tracer& tracer = sharedTracer();
     const auto onDevice = uploadTree(device(), set, tree);
     const Tracer::Counts counts = tracer.count(*onDevice, rays), windings = tracer.count(*onDevice, rays, true);
     ASSERT_EQ(counts.counts.size(), rays.size());
@@ -57,7 +58,7 @@ TEST(TraceCount, IsEvenOverClosedSurfaces) {
         Random random(seed);
         std::vector<Ray> lines;
         for (int i = 0; i < 17000; ++i) lines.push_back(aimedAt(world, random, slivers ? 1.0f : 6.0f));
-        Tracer tracer(device());
+        Tracer& tracer = sharedTracer();
         const auto tree = uploadTree(device(), set, buildExact(set, BuildSettings{}));
         const Tracer::Counts counts = tracer.count(*tree, lines), windings = tracer.count(*tree, lines, true);
         for (size_t i = 0; i < lines.size(); ++i) {
@@ -80,7 +81,7 @@ TEST(TraceCount, TellsInsideFromOutside) {
         const vec3 from = far * glm::normalize(random.point(-1.0f, 1.0f));
         rays.push_back({from, 0.0f, world[random.below(128)].a - from, infinity()});
     }
-    Tracer tracer(device());
+    Tracer& tracer = sharedTracer();
     const auto tree = uploadTree(device(), set, buildExact(set, BuildSettings{}));
     const Tracer::Counts windings = tracer.count(*tree, rays, true);
     for (size_t i = 0; i < rays.size(); ++i) EXPECT_EQ(windings.counts[i], i % 2 == 0 ? 1 : 0) << i;

@@ -3,6 +3,7 @@
 
 #include "builders/builders.h"
 #include "support/device.h"
+#include "support/runners.h"
 #include "support/scenes.h"
 #include "support/trace_cases.h"
 
@@ -22,7 +23,7 @@ TEST(TraceShortStack, VisitsTheSameLeavesWithFewerRestarts) {
     const TriangleSet set = mixedSet(2000, 3);
     const auto tree = uploadTree(device(), set, buildExact(set, BuildSettings{}));
     const std::vector<Ray> rays = mixedRays(2000, 5);
-    Tracer tracer(device());
+    Tracer& tracer = sharedTracer();
     const auto some = tracer.trace(*tree, rays, {.traversal = Traversal::shortStack, .countSteps = true});
     const auto none = tracer.trace(*tree, rays, {.countSteps = true});
     uint64_t someRestarts = 0, restarts = 0;

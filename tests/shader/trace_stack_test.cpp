@@ -3,6 +3,7 @@
 
 #include "builders/builders.h"
 #include "support/device.h"
+#include "support/runners.h"
 #include "support/scenes.h"
 #include "support/trace_cases.h"
 
@@ -22,7 +23,7 @@ TEST(TraceStack, VisitsTheSameLeavesAndNoNodeTwice) {
     const TriangleSet set = mixedSet(2000, 3);
     const auto tree = uploadTree(device(), set, buildExact(set, BuildSettings{}));
     const std::vector<Ray> rays = mixedRays(2000, 5);
-    Tracer tracer(device());
+    Tracer& tracer = sharedTracer();
     const auto stack = tracer.trace(*tree, rays, {.traversal = Traversal::stack, .countSteps = true});
     const auto restart = tracer.trace(*tree, rays, {.countSteps = true});
     const uint64_t nodes = tree->header.nodeCount;

@@ -7,6 +7,7 @@
 #include "judge/oracle.h"
 #include "run/tracer.h"
 #include "support/device.h"
+#include "support/runners.h"
 #include "support/scenes.h"
 #include "support/trace_cases.h"
 #include "twin/twin_builder.h"
@@ -32,7 +33,7 @@ TEST(Trace, TakesAnyNumberOfRays) {
     const KdTree tree = buildExact(set, BuildSettings{});
     for (uint32_t n : kSizes) {
         SCOPED_TRACE("rays " + std::to_string(n));
-        Tracer tracer(device());
+        Tracer& tracer = sharedTracer();
         const std::vector<Ray> rays = mixedRays(n, n);
         const auto onDevice = uploadTree(device(), set, tree);
         const Tracer::Result result = tracer.trace(*onDevice, rays);

@@ -97,6 +97,16 @@ TEST_F(Families, ZerosHaveBothSigns) {
     EXPECT_GT(negative, 50u);
 }
 
+// Of loose triangles hardly any has a float in its plane, but double cannot tell.
+TEST_F(Families, PlaneStartsHitAtZeroOrJustBefore) {
+    size_t close = 0;
+    for (const Ray& r : rays("plane-starts")) {
+        const Hit hit = bruteForce(set, r, Query::closest);
+        close += hit.prim != kNone && hit.t < 1e-10f ? 1 : 0;
+    }
+    EXPECT_GT(close, 40u);
+}
+
 TEST_F(Families, LengthsGoFromDenormalToHuge) {
     size_t denormal = 0, huge = 0;
     for (const Ray& r : rays("lengths")) {

@@ -40,7 +40,7 @@ class CloseDevice : public testing::Environment {
     void TearDown() override {
         if (!opened()) return;
         const uint64_t before = messages();
-        for (auto& release : releases()) release();
+        for (size_t i = releases().size(); i-- > 0;) releases()[i]();
         opened().reset();
         EXPECT_EQ(messages(), before) << "Vulkan validation spoke while the device was closed";
     }

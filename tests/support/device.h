@@ -20,7 +20,7 @@ std::unique_ptr<Device> openTestDevice(DeviceOptions options);
 // Where kernels of a test are made.
 PipelineHome pipelineHome();
 
-// Runs before the device is closed: for what a test program keeps on it.
+// Runs before the device is closed, the last one first: for what a test program keeps on it.
 void beforeClose(std::function<void()> release);
 
 }  // namespace cleave::test

@@ -9,6 +9,7 @@
 #include "builders/builders.h"
 #include "run/renderer.h"
 #include "support/device.h"
+#include "support/runners.h"
 
 namespace cleave::test {
 
@@ -45,8 +46,7 @@ inline std::vector<vec3> radiance(const std::vector<Triangle>& world, const std:
     data.materials = made;
     for (const Material& material : made) data.hasAlpha = data.hasAlpha || !isOpaque(material);
     const DeviceSurfaces surfaces(device(), data);
-    Tracer tracer(device());
-    Renderer renderer(device(), tracer);
+    Renderer& renderer = sharedRenderer();
     const Picture picture = renderer.render(*tree, triangles, surfaces, request);
     EXPECT_EQ(picture.cappedRays, 0u);
     EXPECT_EQ(picture.samples, request.samples);

@@ -8,6 +8,7 @@
 #include "builders/builders.h"
 #include "judge/oracle.h"
 #include "support/device.h"
+#include "support/runners.h"
 #include "support/scenes.h"
 
 namespace cleave::test {
@@ -55,7 +56,7 @@ std::vector<Ray> mixedRays(uint32_t n, uint32_t seed) {
 }
 
 void expectAnswers(const TriangleSet& set, const KdTree& tree, const std::vector<Ray>& rays, Traversal traversal) {
-    Tracer tracer(device());
+    Tracer& tracer = sharedTracer();
     const auto onDevice = uploadTree(device(), set, tree);
     const Tracer::Result closest = tracer.trace(*onDevice, rays, {.traversal = traversal});
     const Tracer::Result counted = tracer.trace(*onDevice, rays, {.traversal = traversal, .countSteps = true});
@@ -107,7 +108,7 @@ void expectHitsAtZero(Traversal traversal) {
     const TriangleSet set = makeTriangleSet(triangles);
     const KdTree tree = buildExact(set, BuildSettings{});
     expectAnswers(set, tree, rays, traversal);
-    Tracer tracer(device());
+    Tracer& tracer = sharedTracer();
     const Tracer::Result result = tracer.trace(*uploadTree(device(), set, tree), rays, {.traversal = traversal});
     const size_t perTriangle = rays.size() / kTriangles;
     for (size_t i = 0; i < rays.size(); i++) {
