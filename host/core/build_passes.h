@@ -21,11 +21,16 @@ namespace cleave {
 
 // Run on every level.
 #define CLEAVE_LEVEL_PASSES(ROW)                                   \
-    ROW(bounds, bounds, perChunk, narrow, 0, large)                \
-    ROW(bin, bin, perChunk, narrow, 0, large)                      \
-    ROW(choose_split, chooseSplit, perChunk, narrow, 0, large)     \
+    ROW(bounds, bounds, perChunk, narrow, 0, binned)               \
+    ROW(bin, bin, perChunk, narrow, 0, binned)                     \
+    ROW(choose_split, chooseSplit, perChunk, narrow, 0, binned)    \
     ROW(nearest, nearest, perChunk, narrow, 0, snapping)           \
     ROW(snap, snap, perChunkGroup, own, 0, snapping)               \
+    ROW(clear_bins, clearBins, perChunk, narrow, 0, exact)         \
+    ROW(count_faces, countFaces, perChunk, narrow, 0, exact)       \
+    ROW(open_bins, openBins, perChunk, wide, 0, exact)             \
+    ROW(gather_faces, gatherFaces, perChunk, narrow, 0, exact)     \
+    ROW(choose_face, chooseFace, perChunk, wide, 0, exact)         \
     ROW(subtrees, subtrees, perWorker, narrow, 0, all)             \
     ROW(exact_split, exactSplit, perRefBlock, wide, 0, all)        \
     ROW(classify, classify, perRefBlock, narrow, 0, all)           \
@@ -44,13 +49,15 @@ namespace cleave {
 // small one for kernels that need many registers, or whose lanes add to the same few counters.
 enum class Lanes { own, wide, narrow };
 
-// All builds, those that may have large nodes, or those of these that move planes to faces.
-enum class Builds { all, large, snapping };
+// All builds, or of those that may have large nodes: those that bin them, those of these that move planes to faces, and
+// those that split them by exact SAH, too.
+enum class Builds { all, binned, snapping, exact };
 
 // What a build is of these.
 struct PassChoice {
-    bool large = true;
+    bool binned = true;
     bool snapping = true;
+    bool exact = false;
 };
 
 struct BuildPass {
@@ -61,7 +68,16 @@ struct BuildPass {
     Builds builds;
 
     bool runs(PassChoice choice) const {
-        return builds == Builds::all || (builds == Builds::large ? choice.large : choice.snapping);
+        switch (builds) {
+            case Builds::binned:
+                return choice.binned;
+            case Builds::snapping:
+                return choice.snapping;
+            case Builds::exact:
+                return choice.exact;
+            default:
+                return true;
+        }
     }
 };
 

@@ -59,6 +59,8 @@ struct GpuBuilder::State {
     RangeBuffers scratch;  // these are kept from build to build
     RangeBuffers tree;
     Capacity capacity;
+    bool isReady = false;       // for builds by default
+    bool isReadyExact = false;  // for those with BuildSettings::exact
 
     void reserve(const BuildInfo& info) {
         const BuildSizes sizes = buildSizes(info);
@@ -92,16 +94,27 @@ struct GpuBuilder::State {
 GpuBuilder::GpuBuilder(Device& device) {
     const Stopwatch watch;
     state_ = std::make_unique<State>(device);
+    setupMs_ = watch.milliseconds();
+    prepare({});
+}
+GpuBuilder::~GpuBuilder() = default;
+
+void GpuBuilder::prepare(const BuildSettings& settings) {
+    bool& isReady = settings.exact ? state_->isReadyExact : state_->isReady;
+    if (isReady) return;
+    isReady = true;
+    const Stopwatch watch;
     // Enough overlapping triangles for every kernel to run: some straddle, and there are more than kExactUpTo.
     std::vector<Triangle> tiny;
     for (uint32_t i = 0; i < 3 * kExactUpTo; i++) {
         const float x = static_cast<float>(i) / (3 * kExactUpTo);
         tiny.push_back({{x, 0.0f, 0.0f}, {x + 0.05f, 0.5f, 0.1f}, {x, 0.1f, 0.5f}});
     }
-    build(DeviceTriangles(device, tiny), BuildSettings{});
-    setupMs_ = watch.milliseconds();
+    BuildSettings byDefault;
+    byDefault.exact = settings.exact;
+    build(DeviceTriangles(state_->device, tiny), byDefault);
+    setupMs_ += watch.milliseconds();
 }
-GpuBuilder::~GpuBuilder() = default;
 
 GpuBuilder::Result GpuBuilder::build(const DeviceTriangles& triangles, const BuildSettings& settings,
                                      std::span<const uint32_t> list) {
@@ -116,6 +129,7 @@ GpuBuilder::Result GpuBuilder::buildNumbered(const DeviceTriangles& triangles, c
 
 GpuBuilder::Result GpuBuilder::build(std::span<const Geometry> geometries, const BuildSettings& settings,
                                      std::span<const uint32_t> list) {
+    prepare(settings);
     const Stopwatch watch;
     State& s = *state_;
     const Buffer numbers = uploaded(s.device, list);

@@ -12,9 +12,11 @@ namespace cleave {
 
 class GpuBuilder {
   public:
-    // Compiles every kernel, by building a tiny tree.
+    // Compiles the kernels of builds with default settings.
     explicit GpuBuilder(Device& device);
     ~GpuBuilder();
+    // Compiles those that a build with these settings has besides, by building a tiny tree; build() does so, too.
+    void prepare(const BuildSettings& settings);
     double setupMilliseconds() const { return setupMs_; }
 
     struct Result {

@@ -186,7 +186,7 @@ TEST_F(SceneTest, MistakesAreRefusedInSentences) {
     costLeaf.costLeaf = -1.0f;
     emptyBonus.emptyBonus = 1.5f;
     noBonus.emptyBonus = NAN;
-    EXPECT_NE(failure([&] { mesh.build("best"); }).find("gpu, twin, exact"), std::string::npos);
+    EXPECT_NE(failure([&] { mesh.build("best"); }).find("gpu, gpu-exact, twin, exact"), std::string::npos);
     EXPECT_NE(failure([&] { mesh.build("gpu", {}, twice); }), "");
     EXPECT_NE(failure([&] { mesh.build("exact", {}, beyond); }), "");
     for (const BuildSettings& settings : {bins, exactUpTo, maxDepth, memory, costLeaf, emptyBonus, noBonus})

@@ -70,8 +70,11 @@ std::vector<Triangle> worldOf(uint32_t count, uint32_t seed) {
     return world;
 }
 
-BuildInfo infoOf(uint32_t seed) {
+// Of a build that has the pass.
+BuildInfo infoOf(const std::string& pass, uint32_t seed) {
     BuildInfo info;
+    for (const twin::Pass& p : twin::levelPasses())
+        if (pass == p.row.kernel) info.exact = p.row.builds == Builds::exact;
     info.clip = seed % 4 != 3;
     info.subsample = seed % 3 != 0;
     info.snap = seed % 4 != 2;
@@ -168,7 +171,7 @@ void expectPassEqualsTwin(const std::string& name, uint32_t triangleCount, uint3
     std::vector<uint32_t> list;
     for (uint32_t i = 0; seed % 3 == 1 && i < triangleCount; i++)
         if (i % 3 != 1) list.push_back(i);
-    const BuildInfo info = infoOf(seed);
+    const BuildInfo info = infoOf(name, seed);
     BuildPair pair(worldOf(triangleCount, seed), list, info);
     const auto run = [&](const twin::Pass& pass, uint32_t depth, bool checked) {
         if (name != pass.row.kernel || !checked) return pass.run(pair.arrays, depth);

@@ -25,7 +25,7 @@ namespace cleave {
 
 // Versions of this interface, of the bytes of a tree, and of the answers: the last is raised whenever a bit of a hit
 // may change.
-inline constexpr uint32_t kApiVersion = 7;
+inline constexpr uint32_t kApiVersion = 8;
 inline constexpr uint32_t kTreeFormat = 2;
 inline constexpr uint32_t kAnswersVersion = 2;
 
@@ -141,6 +141,7 @@ struct BuildInfo {
     bool clip = true;          // clips straddling triangles to both cells
     bool subsample = true;     // bins every l-th reference of a large node, l = max(1, floor(log10 n))
     bool snap = true;          // moves the plane of a large node from the boundary of bins to a face of a box beside it
+    bool exact = false;        // splits large nodes by exact SAH, too, whatever bins, subsample and snap say
     Capacity capacity;
     // The largest range of memory that the caller can give, e.g. maxMemoryAllocationSize; 0: any. Scratch that is
     // larger comes in several ranges. The tree and the largest scratch array must fit in one.
