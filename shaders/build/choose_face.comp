@@ -11,6 +11,7 @@ const uint kLookedAt = 1024u;  // bins at a time
 shared uint openBins[kLookedAt];
 shared uint openCount;
 shared uint endsInBin;
+shared uint bestCost;  // ordered bits: of the best so far
 shared Split bests[kLargestGroup];
 
 BuildNode node;
@@ -113,12 +114,17 @@ void chooseIn(uint binAxis, uint b, uint capacity) {
     end = args.openBins.at[word + capacity];
     left = args.bins.at[word];
     right = args.bins.at[word + capacity];
+    float least = leastCost(args.costs, node.cell, axis, faceBins(node.cell, axis, capacity), b, left, right);
+    bool canBeBest = least <= fromOrderedBits(bestCost);
+    meet();
+    if (!canBeBest) return;
     if (end - first <= kMostComparedFaces) {
         compareFaces();
     } else {
         sortFaces();
         sweepFaces();
     }
+    atomicMin(bestCost, orderedBits(best.cost));
 }
 
 void main() {
@@ -134,13 +140,17 @@ void main() {
     uint capacity = faceBinCapacity(node.count);
     for (uint b = 0u; b < 3u * capacity; b += kLookedAt) {
         if (i == 0u) openCount = 0u;
+        if (i == 0u && b == 0u) bestCost = orderedBits(infinity());
         meet();
         for (uint k = b + i; k < min(b + kLookedAt, 3u * capacity); k += gl_WorkGroupSize.x) {
             uint word = faceWord(c, capacity, k / capacity, k % capacity);
             if (args.openBins.at[word] != kNone) openBins[atomicAdd(openCount, 1u)] = k;
         }
         meet();
-        for (uint k = 0u; k < openCount; k++) chooseIn(openBins[k] / capacity, openBins[k] % capacity, capacity);
+        for (uint k = 0u; k < openCount; k++) {
+            meet();
+            chooseIn(openBins[k] / capacity, openBins[k] % capacity, capacity);
+        }
         meet();
     }
     bests[i] = best;

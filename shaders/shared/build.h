@@ -85,7 +85,8 @@ struct Chunk {
 };
 CLEAVE_SIZE(Chunk, 12);
 
-// Kept per chunk, used in the first chunk of a node: bounds of its references as ordered bits (lo xyz, hi xyz).
+// Kept per chunk, used in the first chunk of a node: bounds of its references, or of its bins that are open, as ordered
+// bits (lo xyz, hi xyz).
 CLEAVE_CONST uint kBoundsWords = 6u;
 // And its counters: for each axis kBins starts, then kBins ends.
 CLEAVE_CONST uint kBinWords = 6u * kBins;

@@ -1,12 +1,15 @@
-// Bins of exact SAH in large nodes. They count all references and choose no plane: they bound what the planes inside
-// them can cost, from below and from above, so that only bins that may hold the best plane are looked into.
+// Bins of exact SAH in large nodes. They count all references, and choose no plane: from the counts at their ends
+// follow bounds of what planes cost, so that only bins that may hold the best plane are looked into.
 //
-// Every operation of splitCostBetween() is rounded monotonically: the nearer the plane, the smaller a side, the fewer
-// references, the lower the cost that comes out, never a bit higher. So with the near end of a bin for either side, and
-// with the references that begin before the bin and end after it, the cost is at most that of any plane in the bin, and
-// with the far ends and all that begin or end in the bin, too, it is at least that; no margin is needed. The bonus of
-// an empty side keeps to that: it is at most 1, and a bound has it where a plane has it (from below), or only there
-// (from above).
+// Between two faces of boxes the counts are constant and the cost is affine (survey, section 4).
+// From below: a plane in a bin has at least the references on its left that begin before the bin, and on its right
+// those that end after it. With these counts the cost is affine in the bin, so the cheaper end of it bounds all planes
+// inside. From above: at a boundary of bins the counts are known. Of the last face before it and the first one after it
+// one costs no more than the boundary would, with what lies flat in the face on the far side; these must be candidates.
+//
+// Costs are sums of products of numbers that are not negative, so each is rounded at most ten times in a row, by 2^-24
+// of its value, or 2^-23 where a device rounds towards zero. What is flushed to zero adds less than 2^-126 times 4
+// areas, 2^30 references and a cost of 1,000. So the margins below are wide.
 #ifndef CLEAVE_SHARED_FACE_BINS_H
 #define CLEAVE_SHARED_FACE_BINS_H
 #include "dispatch.h"
@@ -64,16 +67,30 @@ CLEAVE_FN uint faceBinOf(FaceBins f, float x) {
     return b > 0u && x < faceBinEdge(f, b) ? b - 1u : b;
 }
 
-// Whether every face in the bin is a candidate: no cell has planes in its own faces.
-CLEAVE_FN bool isInnerBin(FaceBins f, uint b) { return f.lo < faceBinEdge(f, b) && faceBinEdge(f, b + 1u) < f.hi; }
-
-// Bounds of the cost of planes in bin b. `left` references begin before it and `right` end after it,
-CLEAVE_FN float leastCost(SahCosts costs, Box cell, uint axis, FaceBins f, uint b, uint left, uint right) {
-    return splitCostBetween(costs, cell, axis, faceBinEdge(f, b), faceBinEdge(f, b + 1u), left, right);
+// Whether the faces on either side of the begin of bin b are candidates; no cell has planes in its own faces. `starts`
+// references begin before it, but not in the cell's lower face, and `ends` end after it, but not in its upper one.
+CLEAVE_FN bool isBetweenCandidates(FaceBins f, uint b, uint starts, uint ends) {
+    float edge = faceBinEdge(f, b);
+    return f.lo < edge && edge < f.hi && starts > 0u && ends > 0u;
 }
-// or `left` begin before its end, and `right` end after its begin: one of both sides of any plane costs at most that.
+
+CLEAVE_CONST float kCostMargin = 3.81469727e-6f;      // 2^-18
+CLEAVE_CONST float kFlushedMargin = 8.27180613e-25f;  // 2^-80
+
+// Planes in bin b cost at least that. `left` references begin before the bin and `right` end after it.
+CLEAVE_FN float leastCost(SahCosts costs, Box cell, uint axis, FaceBins f, uint b, uint left, uint right) {
+    float atBegin = splitCost(costs, cell, axis, faceBinEdge(f, b), left, right);
+    float atEnd = splitCost(costs, cell, axis, faceBinEdge(f, b + 1u), left, right);
+    precise float cost = min(atBegin, atEnd) * (1.0f - kCostMargin);
+    cost = cost - kFlushedMargin;
+    return cost;
+}
+
+// A plane beside the begin of bin b costs at most that. `left` references begin before it and `right` end after it.
 CLEAVE_FN float mostCost(SahCosts costs, Box cell, uint axis, FaceBins f, uint b, uint left, uint right) {
-    return splitCostBetween(costs, cell, axis, faceBinEdge(f, b + 1u), faceBinEdge(f, b), left, right);
+    precise float cost = splitCost(costs, cell, axis, faceBinEdge(f, b), left, right) * (1.0f + kCostMargin);
+    cost = cost + kFlushedMargin;
+    return cost;
 }
 
 // Counters are in the words of the node's chunks, in lists of `capacity`: for each axis one of starts and one of ends.

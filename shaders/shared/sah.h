@@ -46,18 +46,16 @@ CLEAVE_FN float leafCost(SahCosts costs, Box cell, uint count) {
 }
 
 // A child shares the extents a, b across the split axis, so half its surface is a b + (a + b) length. Both children are
-// taken for leaves. The left one ends at leftEnd, the right one begins at rightBegin: at the same plane, or where a
-// bound of the costs of several planes is wanted, see face_bins.h.
-CLEAVE_FN float splitCostBetween(SahCosts costs, Box cell, uint axis, float leftEnd, float rightBegin, uint leftCount,
-                                 uint rightCount) {
+// taken for leaves.
+CLEAVE_FN float splitCost(SahCosts costs, Box cell, uint axis, float position, uint leftCount, uint rightCount) {
     vec3 e = cell.hi - cell.lo;
     float a = axis == 0u ? e.y : e.x;
     float b = axis == 2u ? e.y : e.z;
     precise float face = flushed(a * b);
     precise float rim = a + b;
     precise float whole = flushed(rim * (axis == 0u ? e.x : axis == 1u ? e.y : e.z));
-    precise float left = flushed(rim * (leftEnd - cell.lo[axis]));
-    precise float right = flushed(rim * (cell.hi[axis] - rightBegin));
+    precise float left = flushed(rim * (position - cell.lo[axis]));
+    precise float right = flushed(rim * (cell.hi[axis] - position));
     whole = whole + face;
     left = left + face;
     right = right + face;
@@ -72,9 +70,6 @@ CLEAVE_FN float splitCostBetween(SahCosts costs, Box cell, uint axis, float left
     cost = cost + visits;
     if (leftCount == 0u || rightCount == 0u) cost = costs.emptyBonus * cost;
     return cost;
-}
-CLEAVE_FN float splitCost(SahCosts costs, Box cell, uint axis, float position, uint leftCount, uint rightCount) {
-    return splitCostBetween(costs, cell, axis, position, position, leftCount, rightCount);
 }
 
 // The total order of candidates: cost, then axis, then position, then planar references left.

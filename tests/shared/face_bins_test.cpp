@@ -28,6 +28,13 @@ class Cells {
         if (pick(6) == 0) return pick(2) == 0 ? lo : hi;
         return std::clamp(lo + (hi - lo) * std::uniform_real_distribution<float>(0.0f, 1.0f)(random_), lo, hi);
     }
+    // Of references: none, a few or many.
+    uint32_t count() { return pick(3) == 0 ? 0 : pick(1u << pick(27)); }
+    SahCosts costs() {
+        const SahCosts rules[] = {
+            kDefaultCosts, {0.0f, 20.0f, 0.0f, 0.8f}, {15.0f, 20.0f, 7.5f, 1.0f}, {1.0f, 3.0f, 0.3f, 0.001f}};
+        return rules[pick(std::size(rules))];
+    }
     uint32_t pick(uint32_t below) { return std::uniform_int_distribution<uint32_t>(0, below - 1)(random_); }
 
   private:
@@ -92,41 +99,63 @@ TEST(FaceBins, areNarrowEnough) {
     }
 }
 
-// Whatever a plane in a bin has on its sides, its rounded cost is not below the one bound, nor above the other.
-TEST(FaceBins, boundTheRoundedCostOfEveryPlaneInThem) {
-    const std::vector<SahCosts> rules{
-        kDefaultCosts, {0.0f, 20.0f, 0.0f, 0.8f}, {15.0f, 20.0f, 7.5f, 1.0f}, {1.0f, 3.0f, 0.3f, 0.001f}};
+// Whatever a plane in a bin has on its sides, its rounded cost is not below the bound.
+TEST(FaceBins, boundTheRoundedCostOfPlanesFromBelow) {
     Cells cells;
     uint32_t tight = 0;
     for (int i = 0; i < 200'000; i++) {
         const Box cell = cells.next();
         const uint32_t axis = cells.pick(3);
-        const SahCosts costs = rules[cells.pick(static_cast<uint32_t>(rules.size()))];
+        const SahCosts costs = cells.costs();
         const FaceBins bins = faceBins(cell, axis, faceBinCapacity(kReferences[cells.pick(5)]));
         const uint32_t b = cells.pick(bins.count);
         const float x = cells.between(faceBinEdge(bins, b), faceBinEdge(bins, b + 1));
-        const uint32_t most = 1u << cells.pick(27);
-        const uint32_t before = cells.pick(3) == 0 ? 0 : cells.pick(most),
-                       after = cells.pick(3) == 0 ? 0 : cells.pick(most);
-        const uint32_t starts = cells.pick(3) == 0 ? 0 : cells.pick(most),
-                       ends = cells.pick(3) == 0 ? 0 : cells.pick(most);
-        const float cost =
-            splitCost(costs, cell, axis, x, before + cells.pick(starts + 1), after + cells.pick(ends + 1));
+        const uint32_t before = cells.count(), after = cells.count();
+        const float cost = splitCost(costs, cell, axis, x, before + cells.count(), after + cells.count());
         const float least = leastCost(costs, cell, axis, bins, b, before, after);
         ASSERT_LE(least, cost) << i;
-        ASSERT_LE(cost, mostCost(costs, cell, axis, bins, b, before + starts, after + ends)) << i;
-        tight += least == cost;
+        tight += least * (1.0f + 4.0f * kCostMargin) >= cost;
     }
-    EXPECT_GT(tight, 1000u) << "no bound is ever reached";
+    EXPECT_GT(tight, 1000u) << "the bound is never near";
 }
 
-TEST(FaceBins, knowWhichOfThemReachTheCellsFaces) {
-    Box cell{{-1, 0, 0}, {1, 1, 1}};
-    const FaceBins bins = faceBins(cell, 0, 32);
-    ASSERT_GT(bins.count, 2u);
-    EXPECT_FALSE(isInnerBin(bins, 0));
-    EXPECT_FALSE(isInnerBin(bins, bins.count - 1));
-    for (uint32_t b = 1; b + 2 < bins.count; b++) EXPECT_TRUE(isInnerBin(bins, b));
+// Of two planes on either side of a bin's begin, with no more on their sides than it has, one costs no more than the
+// bound.
+TEST(FaceBins, boundTheRoundedCostOfABestPlaneFromAbove) {
+    Cells cells;
+    uint32_t tight = 0;
+    for (int i = 0; i < 200'000; i++) {
+        const Box cell = cells.next();
+        const uint32_t axis = cells.pick(3);
+        const SahCosts costs = cells.costs();
+        const FaceBins bins = faceBins(cell, axis, faceBinCapacity(kReferences[cells.pick(5)]));
+        const uint32_t b = cells.pick(bins.count);
+        const float edge = faceBinEdge(bins, b);
+        const float below = cells.between(bins.lo, edge), above = cells.between(edge, bins.hi);
+        const uint32_t left = cells.count(), right = cells.count();
+        const auto costAt = [&](float x) {
+            return splitCost(costs, cell, axis, x, left - cells.pick(left + 1), right - cells.pick(right + 1));
+        };
+        const float cost = std::min(costAt(below), costAt(above));
+        const float most = mostCost(costs, cell, axis, bins, b, left, right);
+        ASSERT_LE(cost, most) << i;
+        tight += cost * (1.0f + 4.0f * kCostMargin) >= most;
+    }
+    EXPECT_GT(tight, 1000u) << "the bound is never near";
+}
+
+TEST(FaceBins, knowWhereACandidateIsOnEitherSide) {
+    const FaceBins bins = faceBins({{-1, 0, 0}, {1, 1, 1}}, 0, 32);
+    EXPECT_TRUE(isBetweenCandidates(bins, 5, 1, 1));
+    EXPECT_FALSE(isBetweenCandidates(bins, 5, 0, 1));
+    EXPECT_FALSE(isBetweenCandidates(bins, 5, 1, 0));
+    EXPECT_FALSE(isBetweenCandidates(bins, 0, 1, 1));
+    EXPECT_FALSE(isBetweenCandidates(bins, bins.count, 1, 1));
+}
+
+TEST(FaceBins, haveMarginsThatArePowersOfTwo) {
+    EXPECT_EQ(kCostMargin, 0x1p-18f);
+    EXPECT_EQ(kFlushedMargin, 0x1p-80f);
 }
 
 }  // namespace
