@@ -177,7 +177,7 @@ TEST(GpuExact, FinishesInLeavesWhereMemoryIsShort) {
     const std::vector<Triangle> world = mixedTriangles(20'000, 4);
     const TriangleSet set = makeTriangleSet(world);
     BuildSettings settings = exactly();
-    settings.memory = uint64_t{6} << 20;
+    settings.memory = uint64_t{9} << 20;
     GpuBuilder builder(device());
     const GpuBuilder::Result result = builder.build(DeviceTriangles(device(), world), settings);
     EXPECT_TRUE(result.memoryLimited);
