@@ -136,7 +136,7 @@ TEST_F(SceneTest, WhatCannotBeBuiltOverIsCounted) {
     triangles_[2] = {};
     Device device(options());
     Mesh mesh(device, triangles_);
-    for (const std::string_view builder : {"gpu", "twin", "exact"}) {
+    for (const std::string_view builder : {"gpu", "gpu-exact", "twin", "exact"}) {
         const TreeCounts counts = mesh.build(builder).counts();
         EXPECT_EQ(counts.nonFinite, 1u) << builder;
         EXPECT_EQ(counts.noArea, 1u) << builder;
