@@ -83,6 +83,24 @@ std::vector<Triangle> grid(int side) {
     return world;
 }
 
+// A wall of large triangles in the middle of a box, and small ones on either side. Wherever the wall's own go, the cost
+// is the same but for rounding.
+std::vector<Triangle> middleWall(uint32_t seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> unit(0.0f, 1.0f);
+    const glm::vec3 size(1.0f, 0.5f + unit(random), 0.5f + unit(random));
+    std::vector<Triangle> world;
+    for (const float x : {0.0f, 1.0f})  // so that the box is the same for all
+        world.push_back({{x, 0, 0}, {x, size.y, 0}, {x, size.y, size.z}});
+    for (uint32_t i = 0; i < 200 + 13 * seed; i++)
+        world.push_back({{0.5f, 0.01f * unit(random), 0}, {0.5f, size.y, 0.01f * unit(random)}, {0.5f, 0, size.z}});
+    for (uint32_t i = 0; i < 100; i++)
+        for (const float x : {0.02f, 0.9f})
+            world.push_back(smallTriangle(
+                size * glm::vec3(x + 0.04f, 0.1f + 0.8f * unit(random), 0.1f + 0.8f * unit(random)), 0.02f, random));
+    return world;
+}
+
 }  // namespace
 
 TEST(GpuExact, BuildsTheTreeOfExactAtEverySize) {
@@ -139,6 +157,18 @@ TEST(GpuExact, FindsPlanesWhereFacesCrowd) {
         expectTreeOfExact(grid(12), settings);
         expectTreeOfExact(std::vector<Triangle>(700, {{0, 0, 0}, {1, 0, 0}, {0, 1, 1}}), settings);
         expectTreeOfExact(std::vector<Triangle>(700, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), settings);
+    }
+}
+
+TEST(GpuExact, TakesAWallAsAWhole) {
+    for (uint32_t seed = 1; seed <= 30; seed++) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const std::vector<Triangle> world = middleWall(seed);
+        const KdTree tree = buildExact(makeTriangleSet(world), {});
+        EXPECT_TRUE(std::ranges::any_of(tree.nodes, [](const KdNode& node) {
+            return !isLeaf(node) && nodeAxis(node) == 0 && nodePosition(node) == 0.25f;
+        })) << "there is no plane in the wall";
+        expectTreeOfExact(world);
     }
 }
 
