@@ -7,9 +7,11 @@
 #include "shared/face_bins.h"
 layout(local_size_x_id = 0) in;
 
-const uint kLookedAt = 1024u;  // bins at a time
+const uint kLookedAt = 512u;  // bins at a time
 shared uint openBins[kLookedAt];
+shared float leasts[kLookedAt];  // what their planes cost at least
 shared uint openCount;
+shared uint leastOfAll;  // ordered bits
 shared uint endsInBin;
 shared uint bestCost;  // ordered bits: of the best so far
 shared Split bests[kLargestGroup];
@@ -107,17 +109,38 @@ void sweepFaces() {
     meet();
 }
 
-void chooseIn(uint binAxis, uint b, uint capacity) {
-    axis = binAxis;
-    uint word = faceWord(node.chunk, capacity, axis, b);
+uint capacity;
+
+uint wordOf(uint bin) { return faceWord(node.chunk, capacity, bin / capacity, bin % capacity); }
+
+// Bins from `from` on.
+void listOpenBins(uint from) {
+    if (gl_LocalInvocationID.x == 0u) {
+        openCount = 0u;
+        leastOfAll = orderedBits(infinity());
+    }
+    meet();
+    uint to = min(from + kLookedAt, 3u * capacity);
+    for (uint k = from + gl_LocalInvocationID.x; k < to; k += gl_WorkGroupSize.x) {
+        uint word = wordOf(k);
+        if (args.openBins.at[word] == kNone) continue;
+        FaceBins bins = faceBins(node.cell, k / capacity, capacity);
+        float least = leastCost(args.costs, node.cell, k / capacity, bins, k % capacity, args.bins.at[word], args.bins.at[word + capacity]);
+        uint slot = atomicAdd(openCount, 1u);
+        openBins[slot] = k;
+        leasts[slot] = least;
+        atomicMin(leastOfAll, orderedBits(least));
+    }
+    meet();
+}
+
+void chooseIn(uint bin) {
+    axis = bin / capacity;
+    uint word = wordOf(bin);
     first = args.openBins.at[word];
     end = args.openBins.at[word + capacity];
     left = args.bins.at[word];
     right = args.bins.at[word + capacity];
-    float least = leastCost(args.costs, node.cell, axis, faceBins(node.cell, axis, capacity), b, left, right);
-    bool canBeBest = least <= fromOrderedBits(bestCost);
-    meet();
-    if (!canBeBest) return;
     if (end - first <= kMostComparedFaces) {
         compareFaces();
     } else {
@@ -125,6 +148,20 @@ void chooseIn(uint binAxis, uint b, uint capacity) {
         sweepFaces();
     }
     atomicMin(bestCost, orderedBits(best.cost));
+}
+
+// The most promising bins come first, then those of the others that may still be better.
+void chooseInListed() {
+    for (uint turn = 0u; turn < 2u; turn++) {
+        for (uint k = 0u; k < openCount; k++) {
+            if ((orderedBits(leasts[k]) == leastOfAll) != (turn == 0u)) continue;
+            meet();
+            bool canBeBest = leasts[k] <= fromOrderedBits(bestCost);
+            meet();
+            if (canBeBest) chooseIn(openBins[k]);
+        }
+    }
+    meet();
 }
 
 void main() {
@@ -137,21 +174,11 @@ void main() {
     faces = args.workFaces;
     best = noSplit();
     uint i = gl_LocalInvocationID.x;
-    uint capacity = faceBinCapacity(node.count);
+    capacity = faceBinCapacity(node.count);
+    if (i == 0u) bestCost = orderedBits(infinity());
     for (uint b = 0u; b < 3u * capacity; b += kLookedAt) {
-        if (i == 0u) openCount = 0u;
-        if (i == 0u && b == 0u) bestCost = orderedBits(infinity());
-        meet();
-        for (uint k = b + i; k < min(b + kLookedAt, 3u * capacity); k += gl_WorkGroupSize.x) {
-            uint word = faceWord(c, capacity, k / capacity, k % capacity);
-            if (args.openBins.at[word] != kNone) openBins[atomicAdd(openCount, 1u)] = k;
-        }
-        meet();
-        for (uint k = 0u; k < openCount; k++) {
-            meet();
-            chooseIn(openBins[k] / capacity, openBins[k] % capacity, capacity);
-        }
-        meet();
+        listOpenBins(b);
+        chooseInListed();
     }
     bests[i] = best;
     for (uint others = gl_WorkGroupSize.x / 2u; others > 0u; others /= 2u) {
