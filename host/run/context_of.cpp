@@ -5,7 +5,7 @@
 namespace cleave {
 
 std::unique_ptr<Context> contextOf(const Device& device, std::span<const TraceMode> modes, bool builds,
-                                   uint32_t groupLanes, std::span<const Search> searches) {
+                                   uint32_t groupLanes, std::span<const Search> searches, bool exactBuilds) {
     static constexpr TraceMode kNone{};  // modes without any are not the default ones
     ContextInfo info;
     info.instance = device.instance();
@@ -18,6 +18,7 @@ std::unique_ptr<Context> contextOf(const Device& device, std::span<const TraceMo
     info.searches = searches.data();
     info.searchCount = static_cast<uint32_t>(searches.size());
     info.builds = builds;
+    info.exactBuilds = exactBuilds;
     info.longestRow = device.longestRow();
     info.groupLanes = groupLanes;
     NewContext made = createContext(info);

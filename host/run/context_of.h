@@ -11,6 +11,7 @@ namespace cleave {
 
 // Throws Error.
 std::unique_ptr<Context> contextOf(const Device& device, std::span<const TraceMode> modes, bool builds,
-                                   uint32_t groupLanes = 0, std::span<const Search> searches = {});
+                                   uint32_t groupLanes = 0, std::span<const Search> searches = {},
+                                   bool exactBuilds = false);
 
 }  // namespace cleave

@@ -60,7 +60,7 @@ struct GpuBuilder::State {
     RangeBuffers tree;
     Capacity capacity;
     bool isReady = false;       // for builds by default
-    bool isReadyExact = false;  // for those with BuildSettings::exact
+    bool isReadyExact = false;  // for those with BuildSettings::exact: then the context has their kernels, too
 
     void reserve(const BuildInfo& info) {
         const BuildSizes sizes = buildSizes(info);
@@ -104,6 +104,7 @@ void GpuBuilder::prepare(const BuildSettings& settings) {
     if (isReady) return;
     isReady = true;
     const Stopwatch watch;
+    if (settings.exact) state_->context = contextOf(state_->device, {}, true, 0, {}, true);
     // Enough overlapping triangles for every kernel to run: some straddle, and there are more than kExactUpTo.
     std::vector<Triangle> tiny;
     for (uint32_t i = 0; i < 3 * kExactUpTo; i++) {

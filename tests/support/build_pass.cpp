@@ -24,7 +24,7 @@ const Context& buildContext(bool large) {
             beforeClose([] {
                 for (std::unique_ptr<Context>& c : contexts) c.reset();
             });
-        context = contextOf(device(), {}, true, large ? kLargestGroup : 0);
+        context = contextOf(device(), {}, true, large ? kLargestGroup : 0, {}, true);
     }
     return *context;
 }
