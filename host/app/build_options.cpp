@@ -15,18 +15,10 @@ constexpr std::array<std::pair<const char*, SmallNodes>, 2> kSmallNodes = {
     {{"count", SmallNodes::count}, {"sort", SmallNodes::sort}}};
 constexpr std::array<std::pair<const char*, bool>, 2> kSwitch = {{{"on", true}, {"off", false}}};
 
-// The device's builder, then those of the CPU.
-std::vector<std::pair<std::string_view, std::string_view>> builderDescriptions() {
-    std::vector<std::pair<std::string_view, std::string_view>> builders{
-        {Builder::gpu.name, "min-max binning on the device (Shevtsov et al. 2007), the default"}};
-    for (const TreeBuilder& builder : hostBuilders()) builders.emplace_back(builder.name, builder.description);
-    return builders;
-}
-
 Builder builderNamed(const std::string& name) {
-    for (const auto& [known, description] : builderDescriptions())
+    for (const auto& [known, description] : allBuilders())
         if (name == known) return {known};
-    throw CLI::ValidationError("--builder", "'" + name + "' is not known; there is: " + namesIn(builderDescriptions()));
+    throw CLI::ValidationError("--builder", "'" + name + "' is not known; there is: " + namesIn(allBuilders()));
 }
 
 void addHeuristic(CLI::App& app, BuildSettings& settings) {
@@ -56,10 +48,10 @@ void addBuilders(CLI::App& app, Options& options, bool several) {
     app.add_option_function<std::string>("--builder", read,
                                          std::string("who builds the tree") +
                                              (several ? ", or several: gpu,exact" : "") + " (" +
-                                             namesIn(builderDescriptions()) + ")")
+                                             namesIn(allBuilders()) + ")")
         ->type_name(several ? "NAME,..." : "NAME");
     std::string footer = "Builders:";
-    for (const auto& [name, description] : builderDescriptions())
+    for (const auto& [name, description] : allBuilders())
         footer += "\n  " + std::string(name) + ": " + std::string(description);
     app.footer(footer);
 }

@@ -135,6 +135,7 @@ std::vector<std::pair<std::string, std::string>> leftOutOf(const Options& option
                                                            const std::vector<SceneErrors>& scenes) {
     std::vector<std::pair<std::string, std::string>> all{
         {"twin", "gives the tree of gpu, bit for bit; it is written to be obvious, not to be timed"},
+        {"gpu-exact", "gives the tree of exact, built on the device"},
         {"exact-nlog2n", "gives the tree of exact, more slowly"},
         {"brute", "makes no tree, so it has neither a cost nor a build"},
         {"the triangle test plain, in the plots of rays", "its answers are not the same, so its times are not either"}};

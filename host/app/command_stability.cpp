@@ -22,7 +22,7 @@ constexpr uint64_t kQuickRays = 400, kFullRays = 4000;  // per case and family
 // takes two of them and a third that changes from case to case.
 std::vector<Builder> buildersFor(const Options& options, size_t caseIndex) {
     if (!options.builders.empty()) return options.builders;
-    std::vector<Builder> all{Builder::gpu, Builder::exact}, others;
+    std::vector<Builder> all{Builder::gpu, Builder::exact}, others{Builder::gpuExact};
     for (const TreeBuilder& builder : cpuBuilders())
         if (Builder{builder.name} != Builder::exact && builder.name != "brute") others.push_back({builder.name});
     if (options.quick) others = {others[caseIndex % others.size()]};

@@ -40,7 +40,7 @@ GpuBuilder& DeviceKit::builder() {
 }
 
 GpuBuilder& DeviceKit::lazyBuilder() {
-    if (!lazyBuilder_) lazyBuilder_ = std::make_unique<GpuBuilder>(device(), Building::openTrees);
+    if (!lazyBuilder_) lazyBuilder_ = std::make_unique<GpuBuilder>(device(), true);
     return *lazyBuilder_;
 }
 

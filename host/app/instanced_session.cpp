@@ -7,6 +7,7 @@
 #include "base/stopwatch.h"
 #include "base/text.h"
 #include "facade/host_builders.h"
+#include "run/device_builders.h"
 
 namespace cleave {
 namespace {
@@ -77,10 +78,10 @@ void InstancedSession::warnOnce(const std::vector<std::string>& warnings) {
 
 BuiltTree InstancedSession::buildOne(Builder builder, const std::vector<Triangle>& triangles,
                                      std::span<const uint32_t> numbers) {
-    const BuildSettings& settings = run_.options.settings;
+    const BuildSettings settings = settingsFor(builder.name, run_.options.settings);
     Device& device = run_.device.device();
     BuiltTree built;
-    if (builder == Builder::gpu) {
+    if (isOnDevice(builder.name)) {
         const DeviceTriangles onDevice(device, triangles);
         GpuBuilder& gpu = run_.device.builder();
         GpuBuilder::Result result =
@@ -106,11 +107,11 @@ BuiltTree InstancedSession::buildOne(Builder builder, const std::vector<Triangle
 }
 
 BuiltInstances InstancedSession::build(Builder builder) {
-    if (builder == Builder::gpu) run_.device.builder();
+    if (isOnDevice(builder.name)) run_.device.builder().prepare(settingsFor(builder.name, {}));
     run_.progress.phase("building (" + nameOf(builder) + ")");
     BuiltInstances all;
     all.sum.builder = builder;
-    all.sum.setupMs = builder == Builder::gpu ? run_.device.builderSetupMilliseconds() : 0.0;
+    all.sum.setupMs = isOnDevice(builder.name) ? run_.device.builderSetupMilliseconds() : 0.0;
     all.noArea = instances_.noArea;
     std::vector<std::shared_ptr<DeviceTree>> trees;
     uint64_t bytes = 0;

@@ -15,6 +15,7 @@
 #include "base/text.h"
 #include "figures/error_rows.h"
 #include "figures/timing.h"
+#include "run/device_builders.h"
 
 namespace cleave {
 namespace {
@@ -166,7 +167,7 @@ class Measurement {
 
     // The first build on the CPU starts threads and touches memory for all that follow: it is not counted, as on the
     // device nothing is before the warm-up.
-    static uint32_t notCounted(const Subject& subject) { return subject.builder == Builder::gpu ? 0 : 1; }
+    static uint32_t notCounted(const Subject& subject) { return isOnDevice(subject.builder.name) ? 0 : 1; }
 
     BuiltTree buildTimed(const Subject& subject, uint32_t runs) {
         BuiltTree built = session_.buildTimed(subject.builder, runs + notCounted(subject), subject.build);

@@ -10,6 +10,7 @@
 #include "base/warm_up.h"
 #include "facade/host_builders.h"
 #include "figures/timing.h"
+#include "run/device_builders.h"
 #include "scene/animation.h"
 #include "scene/camera.h"
 
@@ -83,7 +84,8 @@ void Session::readUnplayed() const {
 Builder Session::chosenBuilder(bool showsTree) {
     const Builder named = run_.options.builders.front();
     if (run_.options.tree) return named;
-    if (named == Builder::gpu) findInBuild(needs_, set_, settings_.exactUpTo, !run_.options.namesBuilder && !showsTree);
+    if (isOnDevice(named.name))
+        findInBuild(needs_, set_, settings_.exactUpTo, !run_.options.namesBuilder && !showsTree);
     return needs_.isLeftOut(Need::tree) ? Builder::brute : named;
 }
 
@@ -142,7 +144,8 @@ void Session::buildOnHost(BuiltTree& built, const BuildSettings& settings, std::
 
 void Session::buildOnDevice(BuiltTree& built, const BuildSettings& settings, std::span<const uint32_t> list) {
     built.onDevice.reset();  // a second run must not need memory for two trees
-    GpuBuilder::Result result = run_.device.builder().build(trianglesOnDevice(), settings, list);
+    GpuBuilder::Result result =
+        run_.device.builder().build(trianglesOnDevice(), settingsFor(built.builder.name, settings), list);
     built.onDevice = std::move(result.tree);
     built.runs.push_back(result.ms);
     built.peakBytes = result.peakBytes;
@@ -157,9 +160,9 @@ BuiltTree Session::prepared(Builder builder) {
         run_.progress.phase("loading the tree");
         return built;
     }
-    if (builder == Builder::gpu) {
+    if (isOnDevice(builder.name)) {
         run_.progress.phase("preparing the device");
-        run_.device.builder();
+        run_.device.builder().prepare(settingsFor(builder.name, {}));
         built.setupMs = run_.device.builderSetupMilliseconds();
     }
     run_.progress.phase("building (" + nameOf(builder) + ")");
@@ -175,14 +178,14 @@ void Session::loadSaved(BuiltTree& built) {
 void Session::buildOnce(BuiltTree& built, const BuildSettings& settings, std::span<const uint32_t> list) {
     if (run_.options.tree)
         loadSaved(built);
-    else if (built.builder == Builder::gpu)
+    else if (isOnDevice(built.builder.name))
         buildOnDevice(built, settings, list);
     else
         buildOnHost(built, settings, list);
 }
 
 void Session::finish(BuiltTree& built, const BuildSettings& settings) {
-    if (built.builder == Builder::gpu) built.tree = readBack(*built.onDevice);
+    if (isOnDevice(built.builder.name)) built.tree = readBack(*built.onDevice);
     tell(built, settings);
 }
 
@@ -231,7 +234,7 @@ BuiltTree Session::build(Builder builder, const BuildSettings& settings, std::sp
 }
 
 void Session::buildRuns(BuiltTree& built, uint32_t runs, const BuildSettings& settings) {
-    if (built.builder == Builder::gpu) warmUp([&] { buildOnce(built, settings); });
+    if (isOnDevice(built.builder.name)) warmUp([&] { buildOnce(built, settings); });
     built.runs.clear();
     for (uint32_t i = 0; i < runs; ++i) buildOnce(built, settings);
 }
@@ -239,7 +242,8 @@ void Session::buildRuns(BuiltTree& built, uint32_t runs, const BuildSettings& se
 BuiltTree Session::buildTimed(Builder builder, uint32_t runs, const BuildSettings& settings) {
     BuiltTree built = prepared(builder);
     buildRuns(built, runs, settings);
-    if (builder == Builder::gpu) built.profile = run_.device.builder().profile(trianglesOnDevice(), settings);
+    if (isOnDevice(builder.name))
+        built.profile = run_.device.builder().profile(trianglesOnDevice(), settingsFor(builder.name, settings));
     finish(built, settings);
     return built;
 }

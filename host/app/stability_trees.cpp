@@ -2,6 +2,7 @@
 
 #include "base/stopwatch.h"
 #include "facade/host_builders.h"
+#include "run/device_builders.h"
 
 namespace cleave {
 namespace {
@@ -19,8 +20,9 @@ std::shared_ptr<TreeUnderTest> buildForTest(Run& run, Builder builder, const Tri
                                             const DeviceTriangles& triangles) {
     auto tree = std::make_shared<TreeUnderTest>();
     tree->builder = nameOf(builder);
-    if (builder == Builder::gpu) {
-        GpuBuilder::Result result = run.device.builder().build(triangles, run.options.settings);
+    if (isOnDevice(builder.name)) {
+        GpuBuilder::Result result =
+            run.device.builder().build(triangles, settingsFor(builder.name, run.options.settings));
         tree->onDevice = std::move(result.tree);
         tree->tree = readBack(*tree->onDevice);
         tree->buildMs = result.ms;
@@ -41,8 +43,9 @@ void buildHalves(Run& run, Builder builder, std::span<const Triangle> world, con
     for (uint32_t first = 0; world.size() > 1 && first < 2; ++first) {
         std::vector<uint32_t> list;
         for (uint32_t i = first; i < world.size(); i += 2) list.push_back(i);
-        if (builder == Builder::gpu) {
-            tree.halves.push_back(run.device.builder().build(triangles, run.options.settings, list).tree);
+        if (isOnDevice(builder.name)) {
+            const BuildSettings settings = settingsFor(builder.name, run.options.settings);
+            tree.halves.push_back(run.device.builder().build(triangles, settings, list).tree);
             continue;
         }
         const TriangleSet half = makeTriangleSet(trianglesOf(world, list));

@@ -62,7 +62,7 @@ uint32_t openLimit(const BuildInfo& info) noexcept {
 PassChoice choiceOf(const BuildInfo& info, bool expands) noexcept {
     const bool opens = info.openUpTo > 0 && !expands;
     const bool large = info.everything || triangleCountOf(info) > (opens ? openLimit(info) : info.exactUpTo);
-    return {large, large && info.snap, !opens};
+    return {large && !info.exact, large && !info.exact && info.snap, large && info.exact, !opens};
 }
 
 BuildCounts countsOf(const BuildInfo& info) noexcept {
@@ -73,6 +73,8 @@ BuildCounts countsOf(const BuildInfo& info) noexcept {
     n.nodes = c.nodes;
     n.leafRefs = c.leafRefs;
     n.chunks = chunkCapacity(c.refs, info.exactUpTo);
+    n.faceChunks = info.exact ? n.chunks : 0;
+    n.faces = info.exact ? 6 * n.refs : 0;
     n.refBlocks = ceilDiv64(c.refs, kBlock);
     n.batches = ceilDiv64(c.refs, kBatch);
     n.workers = workersFor(static_cast<uint32_t>(n.batches));
@@ -163,6 +165,10 @@ BuildSizes buildSizes(const BuildInfo& info) noexcept {
         return sizes;
     }
     const BuildCounts n = countsOf(info);
+    if (n.faces > kNone) {
+        sizes.failed = "an exact build holds at most 2^32 / 6 references";
+        return sizes;
+    }
     const ScratchLayout scratch = scratchLayout(n, info.largestRange);
     const uint64_t tree = uint64_t(16) * treeLayoutOf(n).end;
     sizes.capacity = capacityOf(info);

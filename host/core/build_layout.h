@@ -15,6 +15,8 @@ struct BuildCounts {
     uint64_t nodes = 0;
     uint64_t leafRefs = 0;
     uint64_t chunks = 0;
+    uint64_t faceChunks = 0;  // these two: where large nodes are split by exact SAH
+    uint64_t faces = 0;
     uint64_t refBlocks = 0;
     uint64_t batches = 0;
     uint64_t workers = 0;

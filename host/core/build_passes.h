@@ -25,13 +25,18 @@ namespace cleave {
 
 // Run on every level.
 #define CLEAVE_LEVEL_PASSES(ROW)                                   \
-    ROW(bounds, bounds, perChunk, narrow, 0, large)                \
-    ROW(bin, bin, perChunk, narrow, 0, large)                      \
-    ROW(choose_split, chooseSplit, perChunk, narrow, 0, large)     \
+    ROW(bounds, bounds, perChunk, narrow, 0, binned)               \
+    ROW(bin, bin, perChunk, narrow, 0, binned)                     \
+    ROW(choose_split, chooseSplit, perChunk, narrow, 0, binned)    \
     ROW(nearest, nearest, perChunk, narrow, 0, snapping)           \
     ROW(snap, snap, perChunkGroup, own, 0, snapping)               \
+    ROW(clear_bins, clearBins, perChunk, narrow, 0, exact)         \
+    ROW(count_faces, countFaces, perChunk, narrow, 0, exact)       \
+    ROW(open_bins, openBins, perChunk, wide, 0, exact)             \
+    ROW(gather_faces, gatherFaces, perChunk, narrow, 0, exact)     \
+    ROW(choose_face, chooseFace, perChunk, wide, 0, exact)         \
     ROW(subtrees, subtrees, perWorker, narrow, 0, all)             \
-    ROW(exact_split, exactSplit, perRefBlock, wide, 0, exact)      \
+    ROW(exact_split, exactSplit, perRefBlock, wide, 0, closed)     \
     ROW(classify, classify, perRefBlock, narrow, 0, all)           \
     ROW(scan, scanRefs, once, wide, kScanRefs, all)                \
     ROW(offsets, offsets, perRefBlock, wide, 0, all)               \
@@ -48,29 +53,16 @@ namespace cleave {
 // small one for kernels that need many registers, or whose lanes add to the same few counters.
 enum class Lanes { own, wide, narrow };
 
-// All builds, those that may have large nodes, those of these that move planes to faces, or those that leave no node
-// open.
-enum class Builds { all, large, snapping, exact };
+// All builds, or of those that may have large nodes: those that bin them, those of these that move planes to faces, and
+// those that split them by exact SAH, too; or those that leave no node open.
+enum class Builds { all, binned, snapping, exact, closed };
 
 // What a build is of these.
 struct PassChoice {
-    bool large = true;
+    bool binned = true;
     bool snapping = true;
-    bool exact = true;
-
-    bool has(Builds builds) const {
-        switch (builds) {
-            case Builds::large:
-                return large;
-            case Builds::snapping:
-                return snapping;
-            case Builds::exact:
-                return exact;
-            case Builds::all:
-                break;
-        }
-        return true;
-    }
+    bool exact = false;
+    bool closed = true;
 };
 
 struct BuildPass {
@@ -80,7 +72,20 @@ struct BuildPass {
     uint32_t scans;
     Builds builds;
 
-    bool runs(PassChoice choice) const { return choice.has(builds); }
+    bool runs(PassChoice choice) const {
+        switch (builds) {
+            case Builds::binned:
+                return choice.binned;
+            case Builds::snapping:
+                return choice.snapping;
+            case Builds::exact:
+                return choice.exact;
+            case Builds::closed:
+                return choice.closed;
+            default:
+                return true;
+        }
+    }
 };
 
 #define CLEAVE_BUILD_PASS(kernel, twin, groups, lanes, scans, builds) \

@@ -43,12 +43,12 @@ struct Creation {
     }
 };
 
-bool createBuildKernels(Creation& creation, Context::State& state, const GroupSizes& sizes, bool expands) {
+bool createBuildKernels(Creation& creation, Context::State& state, const GroupSizes& sizes, const ContextInfo& info) {
     const auto add = [&](std::span<const BuildPass> passes) {
         for (const BuildPass& pass : passes) {
             const bool known = std::any_of(state.buildKernels.begin(), state.buildKernels.end(),
                                            [&](const Kernel& k) { return k.name() == pass.kernel; });
-            if (known) continue;
+            if (known || !pass.runs({true, true, info.exactBuilds, true})) continue;
             const uint32_t suited[] = {pass.lanes == Lanes::wide ? sizes.wide : sizes.narrow, sizes.lockstep ? 1u : 0u};
             const std::span<const uint32_t> constants(suited, pass.lanes == Lanes::own ? 0 : 2);
             if (!creation.create(state.buildKernels.emplace_back(), pass.kernel, sizeof(BuildPush), constants))
@@ -56,7 +56,7 @@ bool createBuildKernels(Creation& creation, Context::State& state, const GroupSi
         }
         return true;
     };
-    return add(kSetupPasses) && add(kLevelPasses) && add(kLastPasses) && (!expands || add(kExpandPasses)) &&
+    return add(kSetupPasses) && add(kLevelPasses) && add(kLastPasses) && (!info.expands || add(kExpandPasses)) &&
            creation.create(state.compact, "compact", sizeof(CompactPush), {});
 }
 
@@ -134,8 +134,7 @@ void createInto(NewContext& result, Context::State& state, const ContextInfo& in
     const PipelineHome home{&state.functions, info.device, info.pipelineCache, info.allocator};
     Creation creation{home, result};
     if (info.builds &&
-        !createBuildKernels(creation, state, groupSizes(properties, subgroups.subgroupSize, info.groupLanes),
-                            info.expands))
+        !createBuildKernels(creation, state, groupSizes(properties, subgroups.subgroupSize, info.groupLanes), info))
         return;
     const std::span<const TraceMode> modes =
         info.modes ? std::span(info.modes, info.modeCount) : std::span<const TraceMode>(kDefaultModes);

@@ -3,14 +3,26 @@
 #include <vector>
 
 #include "builders/builder_names.h"
+#include "run/device_builders.h"
 #include "twin/twin_builder.h"
 
 namespace cleave {
 
 std::span<const TreeBuilder> hostBuilders() {
     static const std::vector<TreeBuilder> builders = [] {
-        std::vector<TreeBuilder> all{{"twin", buildTwin, "the same on the CPU, plainly written: the same tree"}};
+        std::vector<TreeBuilder> all{
+            {"twin", buildTwin, "the passes of gpu on the CPU, plainly written: the same tree"}};
         all.insert(all.end(), cpuBuilders().begin(), cpuBuilders().end());
+        return all;
+    }();
+    return builders;
+}
+
+std::span<const std::pair<std::string_view, std::string_view>> allBuilders() {
+    static const std::vector<std::pair<std::string_view, std::string_view>> builders = [] {
+        std::vector<std::pair<std::string_view, std::string_view>> all;
+        for (const DeviceBuilder& builder : deviceBuilders()) all.emplace_back(builder.name, builder.description);
+        for (const TreeBuilder& builder : hostBuilders()) all.emplace_back(builder.name, builder.description);
         return all;
     }();
     return builders;

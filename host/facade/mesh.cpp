@@ -5,6 +5,7 @@
 #include "facade/copied.h"
 #include "facade/host_builders.h"
 #include "facade/states.h"
+#include "run/device_builders.h"
 #include "tree/tree_bytes.h"
 
 namespace cleave::scene {
@@ -93,8 +94,8 @@ TreeCounts countsOf(const Built& built, size_t triangles) {
 }  // namespace
 
 std::vector<std::string_view> builders() {
-    std::vector<std::string_view> names{"gpu"};
-    for (const TreeBuilder& builder : hostBuilders()) names.push_back(builder.name);
+    std::vector<std::string_view> names;
+    for (const auto& [name, description] : allBuilders()) names.push_back(name);
     return names;
 }
 
@@ -119,9 +120,11 @@ Tree Mesh::build(std::string_view builder, const BuildSettings& settings, std::s
         for (const std::string_view name : known) names += (names.empty() ? "" : ", ") + std::string(name);
         throw Error("no builder is named '" + std::string(builder) + "'; there is: " + names);
     }
-    if (builder == "gpu" && !s.onDevice) s.onDevice = std::make_unique<DeviceTriangles>(s.device->device, *s.world);
-    Built built = builder == "gpu" ? buildOnDevice(s.device->builder(), *s.onDevice, settingsOf(settings), list)
-                                   : buildOnHost(s.device->device, builder, *s.world, settingsOf(settings), list);
+    const bool onDevice = isOnDevice(builder);
+    const cleave::BuildSettings chosen = settingsFor(builder, settingsOf(settings));
+    if (onDevice && !s.onDevice) s.onDevice = std::make_unique<DeviceTriangles>(s.device->device, *s.world);
+    Built built = onDevice ? buildOnDevice(s.device->builder(), *s.onDevice, chosen, list)
+                           : buildOnHost(s.device->device, builder, *s.world, chosen, list);
     const TreeCounts counts = countsOf(built, list.empty() ? s.world->size() : list.size());
     Tracer* const tracer = &s.device->tracer;
     return Tree(std::unique_ptr<Tree::State>(new Tree::State{

@@ -13,13 +13,14 @@
 
 namespace cleave {
 
-// Who builds the tree, by name: the device, its twin, or one of builders/builder_names.h.
+// Who builds the tree, by name: one of run/device_builders.h, the twin of gpu, or one of builders/builder_names.h.
 struct Builder {
     std::string_view name;
     bool operator==(const Builder&) const = default;
-    static const Builder gpu, twin, exact, brute;
+    static const Builder gpu, gpuExact, twin, exact, brute;
 };
 inline constexpr Builder Builder::gpu{"gpu"};
+inline constexpr Builder Builder::gpuExact{"gpu-exact"};
 inline constexpr Builder Builder::twin{"twin"};
 inline constexpr Builder Builder::exact{"exact"};
 inline constexpr Builder Builder::brute{"brute"};

@@ -17,8 +17,9 @@ std::unique_ptr<Context> contextOf(const Device& device, std::span<const TraceMo
     info.modeCount = static_cast<uint32_t>(modes.size());
     info.searches = searches.data();
     info.searchCount = static_cast<uint32_t>(searches.size());
-    info.builds = building != Building::none;
-    info.expands = building == Building::openTrees;
+    info.builds = building.trees;
+    info.exactBuilds = building.exact;
+    info.expands = building.open;
     info.longestRow = device.longestRow();
     info.groupLanes = groupLanes;
     NewContext made = createContext(info);

@@ -9,8 +9,12 @@
 
 namespace cleave {
 
-// What a context has beside its modes and searches: nothing, the kernels of builds, or those of expansions, too.
-enum class Building { none, trees, openTrees };
+// The kernels that a context has beside those of its modes and searches.
+struct Building {
+    bool trees = false;
+    bool exact = false;  // of builds with BuildSettings::exact, too
+    bool open = false;   // of expansions, too
+};
 
 // Throws Error.
 std::unique_ptr<Context> contextOf(const Device& device, std::span<const TraceMode> modes, Building building,

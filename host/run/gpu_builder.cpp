@@ -44,13 +44,21 @@ constexpr uint32_t kMostStamps =
 }  // namespace
 
 struct GpuBuilder::State {
-    State(Device& d, Building building) : device(d), context(contextOf(d, {}, building)), commands(d) {}
+    State(Device& d, Building b) : device(d), building(b), context(contextOf(d, {}, b)), commands(d) {}
     Device& device;
-    std::unique_ptr<Context> context;
+    Building building;
+    std::shared_ptr<Context> context;
     Commands commands;
     RangeBuffers scratch;  // these are kept from build to build
     RangeBuffers tree;
     Capacity capacity;
+    bool isReady = false;       // for builds by default
+    bool isReadyExact = false;  // for those with BuildSettings::exact: then the context has their kernels, too
+
+    void addExact() {
+        building.exact = true;
+        context = contextOf(device, {}, building);
+    }
 
     void reserve(const BuildInfo& info) {
         const BuildSizes sizes = requireSizes(info);
@@ -80,21 +88,33 @@ struct GpuBuilder::State {
     }
 };
 
-GpuBuilder::GpuBuilder(Device& device, Building building) {
+GpuBuilder::GpuBuilder(Device& device, bool lazily) {
     const Stopwatch watch;
-    state_ = std::make_unique<State>(device, building);
+    state_ = std::make_unique<State>(device, Building{.trees = true, .open = lazily});
+    setupMs_ = watch.milliseconds();
+    prepare({});
+}
+GpuBuilder::~GpuBuilder() = default;
+
+void GpuBuilder::prepare(const BuildSettings& settings) {
+    bool& isReady = settings.exact ? state_->isReadyExact : state_->isReady;
+    if (isReady) return;
+    isReady = true;
+    const Stopwatch watch;
+    if (settings.exact) state_->addExact();
     // Enough overlapping triangles for every kernel to run: some straddle, and there are more than kExactUpTo.
     std::vector<Triangle> tiny;
     for (uint32_t i = 0; i < 3 * kExactUpTo; i++) {
         const float x = static_cast<float>(i) / (3 * kExactUpTo);
         tiny.push_back({{x, 0.0f, 0.0f}, {x + 0.05f, 0.5f, 0.1f}, {x, 0.1f, 0.5f}});
     }
-    const DeviceTriangles triangles(device, tiny);
-    build(triangles, BuildSettings{});
-    if (building == Building::openTrees) buildLazily(triangles, BuildSettings{}, kExactUpTo)->expandAll();
-    setupMs_ = watch.milliseconds();
+    BuildSettings byDefault;
+    byDefault.exact = settings.exact;
+    const DeviceTriangles triangles(state_->device, tiny);
+    build(triangles, byDefault);
+    if (state_->building.open) buildLazily(triangles, byDefault, kExactUpTo)->expandAll();
+    setupMs_ += watch.milliseconds();
 }
-GpuBuilder::~GpuBuilder() = default;
 
 GpuBuilder::Result GpuBuilder::build(const DeviceTriangles& triangles, const BuildSettings& settings,
                                      std::span<const uint32_t> list) {
@@ -109,6 +129,7 @@ GpuBuilder::Result GpuBuilder::buildNumbered(const DeviceTriangles& triangles, c
 
 GpuBuilder::Result GpuBuilder::build(std::span<const Geometry> geometries, const BuildSettings& settings,
                                      std::span<const uint32_t> list) {
+    prepare(settings);
     const Stopwatch watch;
     State& s = *state_;
     const Buffer numbers = uploaded(s.device, list);
@@ -138,7 +159,7 @@ GpuBuilder::Result GpuBuilder::build(std::span<const Geometry> geometries, const
 
 std::unique_ptr<LazyTree> GpuBuilder::buildLazily(const DeviceTriangles& triangles, const BuildSettings& settings,
                                                   uint32_t openUpTo, const Capacity& capacity) {
-    return std::make_unique<LazyTree>(state_->device, *state_->context, triangles, settings, openUpTo, capacity);
+    return std::make_unique<LazyTree>(state_->device, state_->context, triangles, settings, openUpTo, capacity);
 }
 
 BuildProfile GpuBuilder::profile(const DeviceTriangles& triangles, const BuildSettings& settings) {

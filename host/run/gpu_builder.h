@@ -14,9 +14,11 @@ namespace cleave {
 
 class GpuBuilder {
   public:
-    // Compiles every kernel, by building a tiny tree. With Building::openTrees it builds lazily, too.
-    explicit GpuBuilder(Device& device, Building building = Building::trees);
+    // Compiles the kernels of builds with default settings; `lazily`: and those of lazy builds.
+    explicit GpuBuilder(Device& device, bool lazily = false);
     ~GpuBuilder();
+    // Compiles those that a build with these settings has besides, by building a tiny tree; build() does so, too.
+    void prepare(const BuildSettings& settings);
     double setupMilliseconds() const { return setupMs_; }
 
     struct Result {
@@ -34,7 +36,7 @@ class GpuBuilder {
     Result buildNumbered(const DeviceTriangles& triangles, const BuildSettings& settings,
                          std::span<const uint32_t> numbers);
 
-    // Builds the top of a tree that is built where rays come to, as LazyTree has it. Builder and triangles outlive it.
+    // Builds the top of a tree that is built where rays come to, as LazyTree has it. The triangles outlive it.
     std::unique_ptr<LazyTree> buildLazily(const DeviceTriangles& triangles, const BuildSettings& settings,
                                           uint32_t openUpTo, const Capacity& capacity = {});
 

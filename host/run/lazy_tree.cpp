@@ -12,9 +12,13 @@
 
 namespace cleave {
 
-LazyTree::LazyTree(Device& device, const Context& context, const DeviceTriangles& triangles,
+LazyTree::LazyTree(Device& device, std::shared_ptr<const Context> context, const DeviceTriangles& triangles,
                    const BuildSettings& settings, uint32_t openUpTo, const Capacity& capacity)
-    : device_(device), context_(context), commands_(device), geometry_(triangles.geometry()), settings_(settings) {
+    : device_(device),
+      context_(std::move(context)),
+      commands_(device),
+      geometry_(triangles.geometry()),
+      settings_(settings) {
     info_ = deviceBuildInfo({&geometry_, 1}, settings, device);
     info_.openUpTo = openUpTo;
     info_.capacity = capacity;
@@ -38,9 +42,9 @@ void LazyTree::reserve() {
 TreeHeader LazyTree::run(const Expansion* expansion) {
     commands_.begin();
     if (expansion)
-        cmdExpand(commands_.handle(), context_, info_, *expansion, rangeOf(tree_.memory), scratch_.ranges());
+        cmdExpand(commands_.handle(), *context_, info_, *expansion, rangeOf(tree_.memory), scratch_.ranges());
     else
-        cmdBuild(commands_.handle(), context_, info_, rangeOf(tree_.memory), scratch_.ranges());
+        cmdBuild(commands_.handle(), *context_, info_, rangeOf(tree_.memory), scratch_.ranges());
     commands_.run();
     TreeHeader header;
     tree_.memory.read(0, &header, sizeof(header));
@@ -140,7 +144,7 @@ void LazyTree::moveToLarger(const TreeHeader& before) {
     const BuildSizes sizes = requireSizes(info_);
     Buffer larger(device_, sizes.tree);
     commands_.begin();
-    cmdMove(commands_.handle(), context_, info_, tree_.address(), rangeOf(larger));
+    cmdMove(commands_.handle(), *context_, info_, tree_.address(), rangeOf(larger));
     commands_.run();
     figures_.peakBytes = std::max(figures_.peakBytes, scratch_.bytes() + tree_.memory.size() + larger.size());
     tree_.memory = std::move(larger);

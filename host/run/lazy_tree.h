@@ -34,10 +34,10 @@ struct LazyFigures {
 
 class LazyTree {
   public:
-    // Builds the nodes of more than `openUpTo` references. The context has Building::openTrees; context, triangles and
-    // device outlive this. `capacity`: what it begins with. Throws Error.
-    LazyTree(Device& device, const Context& context, const DeviceTriangles& triangles, const BuildSettings& settings,
-             uint32_t openUpTo, const Capacity& capacity = {});
+    // Builds the nodes of more than `openUpTo` references. The context has
+    // Building::open; triangles and device outlive this. `capacity`: what it begins with. Throws Error.
+    LazyTree(Device& device, std::shared_ptr<const Context> context, const DeviceTriangles& triangles,
+             const BuildSettings& settings, uint32_t openUpTo, const Capacity& capacity = {});
 
     // As it is now. expandMarked() may move it.
     const DeviceTree& tree() const { return tree_; }
@@ -63,7 +63,7 @@ class LazyTree {
     void moveToLarger(const TreeHeader& before);
 
     Device& device_;
-    const Context& context_;
+    std::shared_ptr<const Context> context_;
     Commands commands_;
     Geometry geometry_;
     BuildSettings settings_;

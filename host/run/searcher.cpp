@@ -35,7 +35,7 @@ struct Searcher::State {
         const auto known =
             std::find_if(contexts.begin(), contexts.end(), [&](const Made& m) { return m.search == search; });
         if (known != contexts.end()) return *known->context;
-        contexts.push_back({search, contextOf(device, {}, Building::none, 0, {&search, 1})});
+        contexts.push_back({search, contextOf(device, {}, Building{}, 0, {&search, 1})});
         // CPU devices compile at the first dispatch.
         SearchInfo nothing;
         nothing.search = search;

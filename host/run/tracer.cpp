@@ -104,7 +104,7 @@ const Context& Tracer::context(const TraceMode& mode) {
         std::find_if(s.contexts.begin(), s.contexts.end(), [&](const Traced& t) { return t.mode == mode; });
     if (known != s.contexts.end()) return *known->context;
     const Stopwatch watch;
-    s.contexts.push_back({mode, contextOf(s.device, {&mode, 1}, Building::none)});
+    s.contexts.push_back({mode, contextOf(s.device, {&mode, 1}, Building{})});
     TraceInfo nothing;
     nothing.mode = mode;
     s.commands.begin();

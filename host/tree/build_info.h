@@ -23,6 +23,7 @@ inline BuildInfo buildInfo(const BuildSettings& settings) {
     info.clip = settings.clip;
     info.subsample = settings.subsample;
     info.snap = settings.snap;
+    info.exact = settings.exact;
     info.everything = settings.everything;
     return info;
 }

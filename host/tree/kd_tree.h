@@ -47,6 +47,7 @@ struct BuildSettings {
     bool snap = true;                     // sampled and binned planes move to a face beside them where that is cheaper
     bool otherAxes = true;                // hunt-one tries these, too, where the longest has no split
     SmallNodes smallNodes = SmallNodes::count;
+    bool exact = false;       // the device's: exact SAH in large nodes, too
     bool everything = false;  // the device's: also what can find nothing; see BuildInfo
     uint64_t memory = 0;      // bytes that a build may use; 0: no limit but the machine's
     uint32_t threads = 2;     // of CPU builders that use several

@@ -62,10 +62,8 @@ void sceneRows(const Staged& staged) {
 void builderControls(Controls& controls) {
     StageWish& stage = controls.stage;
     if (ImGui::BeginCombo("builder", std::string(stage.builder.name).c_str())) {
-        if (ImGui::Selectable("gpu", stage.builder == Builder::gpu)) stage.builder = Builder::gpu;
-        for (const TreeBuilder& builder : hostBuilders())
-            if (ImGui::Selectable(std::string(builder.name).c_str(), stage.builder.name == builder.name))
-                stage.builder = {builder.name};
+        for (const auto& [name, description] : allBuilders())
+            if (ImGui::Selectable(std::string(name).c_str(), stage.builder.name == name)) stage.builder = {name};
         ImGui::EndCombo();
     }
     if (!ImGui::TreeNode("knobs")) return;

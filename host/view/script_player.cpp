@@ -125,15 +125,14 @@ void ScriptPlayer::perform(const ScriptStep& step, Viewing& viewing, Window&) {
             controls.compares = false;
             break;
         case Verb::builder: {
-            std::string names(Builder::gpu.name);
-            bool known = step.text == names;
-            if (known) controls.stage.builder = Builder::gpu;
-            for (const TreeBuilder& builder : hostBuilders()) {
-                if (builder.name == step.text) {
-                    controls.stage.builder = {builder.name};
+            std::string names;
+            bool known = false;
+            for (const auto& [name, description] : allBuilders()) {
+                if (name == step.text) {
+                    controls.stage.builder = {name};
                     known = true;
                 }
-                names += ", " + std::string(builder.name);
+                names += (names.empty() ? "" : ", ") + std::string(name);
             }
             if (!known) fail(step, "'" + oneLine(step.text) + "' is not known; there is: " + names);
             break;

@@ -11,6 +11,7 @@
 #include "base/stopwatch.h"
 #include "base/text.h"
 #include "facade/host_builders.h"
+#include "run/device_builders.h"
 #include "scene/animation.h"
 #include "scene/moving_nodes.h"
 #include "view/give_way.h"
@@ -120,9 +121,10 @@ struct Stage::Workshop {
         if (list)
             made.set =
                 std::make_shared<TriangleSet>(makeTriangleSet(trianglesOf(next.geometry->posed.triangles, *list)));
-        if (wish.builder == Builder::gpu) {
+        if (isOnDevice(wish.builder.name)) {
             const std::span<const uint32_t> numbers = list ? std::span(*list) : std::span<const uint32_t>();
-            const GpuBuilder::Result result = kit.builder().build(onDevice(next.geometry), wish.settings, numbers);
+            const BuildSettings settings = settingsFor(wish.builder.name, wish.settings);
+            const GpuBuilder::Result result = kit.builder().build(onDevice(next.geometry), settings, numbers);
             KdTree tree = readBack(*result.tree);
             for (uint32_t& triangle : tree.leafTriangles)
                 if (list) triangle = static_cast<uint32_t>(std::ranges::lower_bound(*list, triangle) - list->begin());
@@ -153,9 +155,10 @@ struct Stage::Workshop {
     void lookClosely(const std::shared_ptr<const Staged>& shown) {
         if (shown->time || shown->trees.size() > 1 || stage.isAskedForMore()) return;
         auto next = std::make_shared<Staged>(*shown);
-        if (shown->builder == Builder::gpu) {
+        if (isOnDevice(shown->builder.name)) {
             stage.setPhase("timing the passes of the build");
-            next->passes = kit.builder().profile(onDevice(shown->geometry), shown->settings).passes;
+            const BuildSettings settings = settingsFor(shown->builder.name, shown->settings);
+            next->passes = kit.builder().profile(onDevice(shown->geometry), settings).passes;
             stage.publish(next);
         }
         if (shown->geometry->set->included.size() > kMostToCompare || stage.isAskedForMore()) return;

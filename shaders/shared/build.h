@@ -85,7 +85,8 @@ struct Chunk {
 };
 CLEAVE_SIZE(Chunk, 12);
 
-// Kept per chunk, used in the first chunk of a node: bounds of its references as ordered bits (lo xyz, hi xyz).
+// Kept per chunk, used in the first chunk of a node: bounds of its references, or of its bins that are open, as ordered
+// bits (lo xyz, hi xyz).
 CLEAVE_CONST uint kBoundsWords = 6u;
 // And its counters: for each axis kBins starts, then kBins ends.
 CLEAVE_CONST uint kBinWords = 6u * kBins;
@@ -232,30 +233,32 @@ CLEAVE_SIZE(BuildState, 6608);
 
 // The arrays that a build works on: name, element, its array in GLSL, how many. `n` counts the entries of a build
 // (BuildCounts in core/build_layout.h). This list is all that layout, binding, byte count, twin and tests know of them.
-#define CLEAVE_SCRATCH_ARRAYS(ROW)                                                                        \
-    ROW(geometries, GeometryData, GeometryArray, n.geometries)                                            \
-    ROW(refs0, PrimRef, PrimRefArray, n.refs) /* of even and of odd levels */                             \
-    ROW(refs1, PrimRef, PrimRefArray, n.refs)                                                             \
-    ROW(nodes0, BuildNode, BuildNodeArray, n.levelNodes)                                                  \
-    ROW(nodes1, BuildNode, BuildNodeArray, n.levelNodes)                                                  \
-    ROW(chunks, Chunk, ChunkArray, n.chunks)                                                              \
-    ROW(bounds, uint, UintArray, n.chunks* kBoundsWords)                                                  \
-    ROW(bins, uint, UintArray, n.chunks* kBinWords)                                                       \
-    ROW(nearest, NearestFaces, NearestFacesArray, n.chunks)                                               \
-    ROW(sides, uint, UintArray, n.refs)            /* kLeft | kRight | kClipped; at first: in the tree */ \
-    ROW(clipped, Box, BoxArray, 2 * n.refs)        /* per reference two: left and right part */           \
-    ROW(offsets, uvec2, Uvec2Array, n.refs + 1)    /* left and right references before each */            \
-    ROW(blockSums, uvec4, Uvec4Array, n.refBlocks) /* as refTotals: per block of references, or batch */  \
-    ROW(batchFirsts, uint, UintArray, n.batches)   /* the first node of each */                           \
-    ROW(subtrees, Subtrees, SubtreesArray, n.batches)                                                     \
-    ROW(stagedNodes, KdNode, KdNodeArray, n.batches* kStagedNodes)                                        \
-    ROW(stagedRefs, uint, UintArray, n.batches* kStagedRefs)                                              \
-    ROW(workRefs, PrimRef, PrimRefArray, n.workers* kWorkRefs) /* these mean nothing between passes */    \
-    ROW(workCuts, WorkCut, WorkCutArray, n.workers* kWorkCuts)                                            \
-    ROW(workLists, uint, UintArray, n.workers * 2 * kWorkList)                                            \
-    ROW(workNodes, WorkNode, WorkNodeArray, n.workers * 2 * kWorkNodes)                                   \
-    ROW(workOrder, uint, UintArray, n.workers * 3 * kWorkNodes)                                           \
-    ROW(workSplits, WorkSplit, WorkSplitArray, n.workers * 2 * kWorkNodes)                                \
+#define CLEAVE_SCRATCH_ARRAYS(ROW)                                                                                 \
+    ROW(geometries, GeometryData, GeometryArray, n.geometries)                                                     \
+    ROW(refs0, PrimRef, PrimRefArray, n.refs) /* of even and of odd levels */                                      \
+    ROW(refs1, PrimRef, PrimRefArray, n.refs)                                                                      \
+    ROW(nodes0, BuildNode, BuildNodeArray, n.levelNodes)                                                           \
+    ROW(nodes1, BuildNode, BuildNodeArray, n.levelNodes)                                                           \
+    ROW(chunks, Chunk, ChunkArray, n.chunks)                                                                       \
+    ROW(bounds, uint, UintArray, n.chunks* kBoundsWords)                                                           \
+    ROW(bins, uint, UintArray, n.chunks* kBinWords)                                                                \
+    ROW(nearest, NearestFaces, NearestFacesArray, n.chunks)                                                        \
+    ROW(openBins, uint, UintArray, n.faceChunks* kBinWords) /* as bins: begins and ends in workFaces */            \
+    ROW(sides, uint, UintArray, n.refs)                     /* kLeft | kRight | kClipped; at first: in the tree */ \
+    ROW(clipped, Box, BoxArray, 2 * n.refs)                 /* per reference two: left and right part */           \
+    ROW(offsets, uvec2, Uvec2Array, n.refs + 1)             /* left and right references before each */            \
+    ROW(blockSums, uvec4, Uvec4Array, n.refBlocks)          /* as refTotals: per block of references, or batch */  \
+    ROW(batchFirsts, uint, UintArray, n.batches)            /* the first node of each */                           \
+    ROW(subtrees, Subtrees, SubtreesArray, n.batches)                                                              \
+    ROW(stagedNodes, KdNode, KdNodeArray, n.batches* kStagedNodes)                                                 \
+    ROW(stagedRefs, uint, UintArray, n.batches* kStagedRefs)                                                       \
+    ROW(workRefs, PrimRef, PrimRefArray, n.workers* kWorkRefs) /* these mean nothing between passes */             \
+    ROW(workCuts, WorkCut, WorkCutArray, n.workers* kWorkCuts)                                                     \
+    ROW(workLists, uint, UintArray, n.workers * 2 * kWorkList)                                                     \
+    ROW(workNodes, WorkNode, WorkNodeArray, n.workers * 2 * kWorkNodes)                                            \
+    ROW(workOrder, uint, UintArray, n.workers * 3 * kWorkNodes)                                                    \
+    ROW(workSplits, WorkSplit, WorkSplitArray, n.workers * 2 * kWorkNodes)                                         \
+    ROW(workFaces, uvec2, Uvec2Array, n.faces)     /* six per reference: position, kind */                         \
     ROW(nodeSums, uvec4, Uvec4Array, n.nodeBlocks) /* per block of nodes: see nodeCounts() */
 
 // And those that become the tree.
@@ -297,7 +300,7 @@ struct BuildArgs {
     uint openDepth;   // the depth of the deepest
     uint reserved;
 };
-CLEAVE_SIZE(BuildArgs, 352);
+CLEAVE_SIZE(BuildArgs, 368);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) buffer BuildArgsRef { BuildArgs at; };

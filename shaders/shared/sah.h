@@ -80,10 +80,15 @@ CLEAVE_FN bool isBetter(Split a, Split b) {
     return a.planarLeft > b.planarLeft;
 }
 
-// The better of `best` and one candidate; its plane must lie strictly inside the cell.
+// Whether a plane is a candidate: it must lie strictly inside the cell.
+CLEAVE_FN bool isInside(Box cell, uint axis, float position) {
+    return cell.lo[axis] < position && position < cell.hi[axis];
+}
+
+// The better of `best` and one candidate.
 CLEAVE_FN Split betterOf(Split best, SahCosts costs, Box cell, uint axis, float position, uint leftCount,
                          uint rightCount, uint planarLeft) {
-    if (!(cell.lo[axis] < position && position < cell.hi[axis])) return best;
+    if (!isInside(cell, axis, position)) return best;
     Split s;
     s.axis = axis;
     s.position = position;

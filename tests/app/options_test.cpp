@@ -173,9 +173,9 @@ TEST(Options, HelpAndVersion) {
 TEST(Options, WrongUseNamesWhatThereIs) {
     for (const auto& wrong : std::vector<std::vector<const char*>>{{}, {"rendr"}, {"reports", "a.glb"}})
         expectRefused(wrong, "render, trace, query, info, bench, report, stability, devices");
-    expectRefused({"render", "--builder", "nope"}, "gpu, twin, exact");
-    expectRefused({"render", "--builder", "havran"}, "gpu, twin, exact");
-    expectRefused({"render", "--builder", "gpu,exact"}, "gpu, twin, exact");
+    expectRefused({"render", "--builder", "nope"}, "gpu, gpu-exact, twin, exact");
+    expectRefused({"render", "--builder", "havran"}, "gpu, gpu-exact, twin, exact");
+    expectRefused({"render", "--builder", "gpu,exact"}, "gpu, gpu-exact, twin, exact");
     expectRefused({"bench", "a.glb", "--builder", "gpu,,exact"}, "''");
     expectRefused({"bench", "a.glb", "--builder", "gpu,gpu"}, "twice");
     expectRefused({"bench", "a.glb", "--survey", "--builder", "gpu"}, "--survey");

@@ -157,7 +157,7 @@ TEST_F(Program, AFullOutputIsAFailure) {
 
 TEST_F(Program, TraceAnswersRays) {
     putRays("rays.npy.in");
-    for (const char* builder : {"gpu", "exact", "twin", "brute"}) {
+    for (const char* builder : {"gpu", "gpu-exact", "exact", "twin", "brute"}) {
         const Outcome outcome = runCleave({"trace", scene_, at("rays.npy.in"), "-o", at("hits.npy"), "--builder",
                                            builder, "--check", "3", "--json", at("t.json")});
         ASSERT_EQ(outcome.status, 0) << builder << ": " << outcome.err;

@@ -136,7 +136,7 @@ TEST_F(SceneTest, WhatCannotBeBuiltOverIsCounted) {
     triangles_[2] = {};
     Device device(options());
     Mesh mesh(device, triangles_);
-    for (const std::string_view builder : {"gpu", "twin", "exact"}) {
+    for (const std::string_view builder : {"gpu", "gpu-exact", "twin", "exact"}) {
         const TreeCounts counts = mesh.build(builder).counts();
         EXPECT_EQ(counts.nonFinite, 1u) << builder;
         EXPECT_EQ(counts.noArea, 1u) << builder;
@@ -186,7 +186,7 @@ TEST_F(SceneTest, MistakesAreRefusedInSentences) {
     costLeaf.costLeaf = -1.0f;
     emptyBonus.emptyBonus = 1.5f;
     noBonus.emptyBonus = NAN;
-    EXPECT_NE(failure([&] { mesh.build("best"); }).find("gpu, twin, exact"), std::string::npos);
+    EXPECT_NE(failure([&] { mesh.build("best"); }).find("gpu, gpu-exact, twin, exact"), std::string::npos);
     EXPECT_NE(failure([&] { mesh.build("gpu", {}, twice); }), "");
     EXPECT_NE(failure([&] { mesh.build("exact", {}, beyond); }), "");
     for (const BuildSettings& settings : {bins, exactUpTo, maxDepth, memory, costLeaf, emptyBonus, noBonus})

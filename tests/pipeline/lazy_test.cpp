@@ -24,7 +24,7 @@ namespace {
 GpuBuilder& builder() {
     static std::unique_ptr<GpuBuilder> made;
     if (!made) {
-        made = std::make_unique<GpuBuilder>(device(), Building::openTrees);
+        made = std::make_unique<GpuBuilder>(device(), true);
         beforeClose([] { made.reset(); });
     }
     return *made;

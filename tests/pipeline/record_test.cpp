@@ -33,7 +33,7 @@ const TraceMode kModes[] = {{Query::closest}, {Query::any}, {Query::closest, Tra
 
 // A context and memory for one tree and its rays.
 struct Recording {
-    std::unique_ptr<Context> context = contextOf(device(), kModes, Building::trees);
+    std::unique_ptr<Context> context = contextOf(device(), kModes, Building{.trees = true});
     Commands commands{device()};
     RangeBuffers scratch;
     Buffer tree, rays, hits, trails, counters;

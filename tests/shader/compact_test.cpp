@@ -33,7 +33,7 @@ DeviceTree compacted(const Context& context, const DeviceTree& tree) {
 }  // namespace
 
 TEST(Compact, KeepsATreeAtEverySize) {
-    const auto context = contextOf(device(), {}, Building::trees);
+    const auto context = contextOf(device(), {}, Building{.trees = true});
     for (const uint32_t n : kSizes) {
         SCOPED_TRACE("triangles " + std::to_string(n));
         const TriangleSet set = mixedSet(n, n + 1);
@@ -60,7 +60,7 @@ TEST(Compact, KeepsATreeAtEverySize) {
 
 // The copy stands by itself: the original is gone when its rays are traced.
 TEST(Compact, DoesNotPointIntoTheOriginal) {
-    const auto context = contextOf(device(), {}, Building::trees);
+    const auto context = contextOf(device(), {}, Building{.trees = true});
     const TriangleSet set = mixedSet(500, 3);
     const std::vector<Ray> rays = mixedRays(500, 3);
     auto original = uploadTree(device(), set, buildExact(set, BuildSettings{}));

@@ -25,7 +25,7 @@ const Context& buildContext(bool large) {
             beforeClose([] {
                 for (std::unique_ptr<Context>& c : contexts) c.reset();
             });
-        context = contextOf(device(), {}, Building::openTrees, large ? kLargestGroup : 0);
+        context = contextOf(device(), {}, {true, true, true}, large ? kLargestGroup : 0);
     }
     return *context;
 }
@@ -71,8 +71,11 @@ std::vector<Triangle> worldOf(uint32_t count, uint32_t seed) {
     return world;
 }
 
-BuildInfo infoOf(uint32_t seed) {
+// Of a build that has the pass.
+BuildInfo infoOf(const std::string& pass, uint32_t seed) {
     BuildInfo info;
+    for (const twin::Pass& p : twin::levelPasses())
+        if (pass == p.row.kernel) info.exact = p.row.builds == Builds::exact;
     info.clip = seed % 4 != 3;
     info.subsample = seed % 3 != 0;
     info.snap = seed % 4 != 2;
@@ -178,7 +181,7 @@ void expectPassEqualsTwin(const std::string& name, uint32_t triangleCount, uint3
     std::vector<uint32_t> list;
     for (uint32_t i = 0; seed % 3 == 1 && i < triangleCount; i++)
         if (i % 3 != 1) list.push_back(i);
-    const BuildInfo info = infoOf(seed);
+    const BuildInfo info = infoOf(name, seed);
     BuildPair pair(worldOf(triangleCount, seed), list, info);
     uint32_t compared = 0;
     const auto run = [&](const twin::Pass& pass, uint32_t depth, bool checked) {
@@ -200,7 +203,7 @@ void expectPassEqualsTwin(const std::string& name, uint32_t triangleCount, uint3
 
 uint32_t expectExpansionEqualsTwin(uint32_t triangleCount, uint32_t seed) {
     SCOPED_TRACE("triangles " + std::to_string(triangleCount) + ", seed " + std::to_string(seed));
-    BuildInfo info = infoOf(seed);
+    BuildInfo info = infoOf("expand", seed);
     info.openUpTo = seed % 2 == 0 ? 100 : 700;
     BuildPair pair(worldOf(triangleCount, seed), {}, info);
     BuildArrays& arrays = pair.arrays;

@@ -54,8 +54,8 @@ struct ContextInfo {
     uint32_t searchCount = 0;
     // Off: no pipelines to build with, for programs that only trace.
     bool builds = true;
-    // On: those of cmdExpand(), too.
-    bool expands = false;
+    bool exactBuilds = false;  // with those of BuildInfo::exact, too
+    bool expands = false;      // with those of cmdExpand(), too
     // The most workgroups in a row of a dispatch; 0: 65535, which every device takes. Tests make it tiny.
     uint32_t longestRow = 0;
     // Lanes of the workgroups that build, a power of two from 8 to 256; 0: what suits the device. Trees do not depend
@@ -146,6 +146,8 @@ struct BuildInfo {
     bool clip = true;       // clips straddling triangles to both cells
     bool subsample = true;  // bins every l-th reference of a large node, l = max(1, floor(log10 n))
     bool snap = true;       // moves the plane of a large node from the boundary of bins to a face of a box beside it
+    // Splits large nodes by exact SAH, too, whatever bins, subsample and snap say: ContextInfo::exactBuilds.
+    bool exact = false;
     Capacity capacity;
     // The largest range of memory that the caller can give, e.g. maxMemoryAllocationSize; 0: any. Scratch that is
     // larger comes in several ranges. The tree and the largest scratch array must fit in one.

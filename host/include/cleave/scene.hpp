@@ -123,7 +123,7 @@ struct BuildSettings {
     uint64_t memory = 0;       // bytes that a build on the device (or its twin) may use; 0: no limit
 };
 
-// The names of all builders. The first, "gpu", is the one on the device.
+// The names of all builders. The first, "gpu" and "gpu-exact", are on the device.
 std::vector<std::string_view> builders();
 
 struct TreeCounts {
