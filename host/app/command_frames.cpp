@@ -117,6 +117,7 @@ class FrameRenderer {
                 {"seconds", numberJson(frame.seconds)},
                 {"file", frame.file.string()},
                 {"poseMs", numberJson(session_.poseMilliseconds())},
+                {"uploadMs", numberJson(session_.uploadMilliseconds())},
                 {"buildMs", numberJson(movingMs())},
                 {"traceMs", numberJson(picture.traceMs)},
                 {"renderMs", numberJson(picture.ms)},

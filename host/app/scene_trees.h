@@ -53,8 +53,13 @@ class SceneTrees {
         BuiltTree built{};
     };
 
+    void split();
+
+    const Options& options_;
     Session& session_;
-    std::vector<Part> parts_;  // what stays comes first
+    TreeWork work_;
+    std::vector<ShownMesh> meshes_;  // that the parts are of
+    std::vector<Part> parts_;        // what stays comes first
     uint64_t moving_ = 0;
     double ms_ = 0.0;
     double staticMs_ = 0.0;

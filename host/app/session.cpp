@@ -12,6 +12,7 @@
 #include "figures/timing.h"
 #include "scene/animation.h"
 #include "scene/camera.h"
+#include "scene/pose_again.h"
 
 namespace cleave {
 namespace {
@@ -66,11 +67,11 @@ Session::Session(Run& run, ReadScene loaded, Detail detail)
         poseAt(*options.time);
     } else {
         poseScene({});
-        restBounds_ = bounds_;
+        restBounds_ = worldBounds();
     }
     const bool played = (options.time || options.frames) && !animations_.empty();
     if (!played && needs_.keeps(Need::animation)) readUnplayed();
-    findInScene(needs_, scene_, bounds_, played);
+    findInScene(needs_, scene_, worldBounds(), played);
 }
 
 // Their keys, for nothing.
@@ -83,23 +84,67 @@ void Session::readUnplayed() const {
 Builder Session::chosenBuilder(bool showsTree) {
     const Builder named = run_.options.builders.front();
     if (run_.options.tree) return named;
-    if (named == Builder::gpu) findInBuild(needs_, set_, settings_.exactUpTo, !run_.options.namesBuilder && !showsTree);
+    if (named == Builder::gpu)
+        findInBuild(needs_, set(), settings_.exactUpTo, !run_.options.namesBuilder && !showsTree);
     return needs_.isLeftOut(Need::tree) ? Builder::brute : named;
 }
 
-void Session::poseAt(double seconds) { poseScene({seconds, animations_}); }
+void Session::poseAt(double seconds) {
+    if (isPlaying_) return poseWhatMoves({seconds, animations_});
+    poseScene({seconds, animations_});
+    isPlaying_ = true;
+    moving_ = runsThat(true, posed_, movingNodes());
+}
 
 void Session::poseScene(const PoseTime& time) {
+    forgetPose();
     onDevice_.reset();
-    reference_.reset();
     posed_ = {};  // two poses need not be in memory together
     const Stopwatch watch;
     posed_ = pose(scene_, time, kMostTriangles, detail_);
     poseMs_ = watch.milliseconds();
     warnOnce(posed_.warnings);
-    set_ = makeTriangleSet(posed_.triangles);
-    bounds_ = finiteBounds(posed_.triangles);
     run_.progress.clear();
+}
+
+void Session::poseWhatMoves(const PoseTime& time) {
+    forgetPose();
+    const Stopwatch watch;
+    isPosedAgain_ = poseAgain(posed_, scene_, time, movingNodes(), detail_);
+    poseMs_ = watch.milliseconds();
+    warnOnce(posed_.warnings);
+    if (!isPosedAgain_) {
+        onDevice_.reset();
+        moving_ = runsThat(true, posed_, movingNodes());
+    } else if (onDevice_) {
+        const Stopwatch uploading;
+        for (const TriangleRun& run : moving_) onDevice_->move(posed_.triangles, run.first, run.count);
+        uploadMs_ = uploading.milliseconds();
+    }
+    run_.progress.clear();
+}
+
+// What was found out of the pose before.
+void Session::forgetPose() {
+    reference_.reset();
+    set_.reset();
+    bounds_.reset();
+    uploadMs_ = 0.0;
+}
+
+const TriangleSet& Session::set() const {
+    if (!set_) set_ = makeTriangleSet(posed_.triangles);
+    return *set_;
+}
+
+const std::vector<bool>& Session::movingNodes() {
+    if (movingNodes_.empty()) movingNodes_ = cleave::movingNodes(scene_, animations_);
+    return movingNodes_;
+}
+
+const Box& Session::worldBounds() const {
+    if (!bounds_) bounds_ = finiteBounds(posed_.triangles);
+    return *bounds_;
 }
 
 void Session::warnOnce(const std::vector<std::string>& warnings) {
@@ -113,7 +158,11 @@ const Box& Session::restBounds() {
 }
 
 const DeviceTriangles& Session::trianglesOnDevice() {
-    if (!onDevice_) onDevice_ = std::make_unique<DeviceTriangles>(run_.device.device(), posed_.triangles);
+    if (onDevice_) return *onDevice_;
+    Device& device = run_.device.device();
+    const Stopwatch uploading;
+    onDevice_ = std::make_unique<DeviceTriangles>(device, posed_.triangles);
+    uploadMs_ = uploading.milliseconds();
     return *onDevice_;
 }
 
@@ -129,11 +178,13 @@ DeviceSurfaces Session::surfacesOnDevice(View view) {
 }
 
 void Session::moveSurfaces(DeviceSurfaces& surfaces) {
-    surfaces.move(run_.device.device(), posedSurfaces(posed_, needs_));
+    if (!isPosedAgain_) return surfaces.move(run_.device.device(), posedSurfaces(posed_, needs_));
+    if (detail_ == Detail::triangles) return;  // there is nothing that moves
+    for (const TriangleRun& run : moving_) surfaces.move(run.first, posedSurfaces(posed_, run, needs_));
 }
 
 void Session::buildOnHost(BuiltTree& built, const BuildSettings& settings, std::span<const uint32_t> list) {
-    if (list.empty()) return buildOver(set_, built, settings);
+    if (list.empty()) return buildOver(set(), built, settings);
     const TriangleSet part = makeTriangleSet(trianglesOf(posed_.triangles, list));
     buildOver(part, built, settings);
     built.onDevice = uploadTree(run_.device.device(), part, built.tree, list);
@@ -168,7 +219,7 @@ BuiltTree Session::prepared(Builder builder) {
 
 void Session::loadSaved(BuiltTree& built) {
     const Stopwatch watch;
-    built.tree = readTree(*run_.options.tree, posed_.triangles, set_);
+    built.tree = readTree(*run_.options.tree, posed_.triangles, set());
     built.runs.push_back(watch.milliseconds());
 }
 
@@ -226,13 +277,13 @@ std::vector<double> Session::timeBuilds(Builder builder, uint32_t runs, const Bu
 }
 
 const DeviceTree& Session::upload(BuiltTree& built) {
-    if (!built.onDevice) built.onDevice = uploadTree(run_.device.device(), set_, built.tree);
+    if (!built.onDevice) built.onDevice = uploadTree(run_.device.device(), set(), built.tree);
     return *built.onDevice;
 }
 
 CheckResult Session::check(std::span<const Ray> rays, std::span<const Hit> hits, Query query, uint64_t count) {
     run_.progress.phase("checking");
-    if (!reference_) reference_ = std::make_unique<Reference>(posed_.triangles, set_.included);
+    if (!reference_) reference_ = std::make_unique<Reference>(posed_.triangles, set().included);
     CheckResult result = cleave::check(*reference_, rays, hits, query, count, run_.options.settings.threads);
     run_.progress.clear();
     return result;

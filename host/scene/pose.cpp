@@ -10,6 +10,7 @@
 #include "scene/shared_pose.h"
 #include "scene/skin_matrices.h"
 #include "scene/triangle_count.h"
+#include "shared/geometry.h"
 
 namespace cleave {
 namespace {
@@ -24,14 +25,23 @@ std::string nameOf(const Scene& scene, uint32_t node) {
     return "node " + std::to_string(node) + (name.empty() ? "" : " '" + name.substr(0, kLongestName) + "'");
 }
 
+bool isNotFinite(const Triangle& t) { return !isFiniteTriangle(t); }
+
+std::string nonFiniteSentence(size_t count, size_t first) {
+    return std::to_string(count) + " triangles have a vertex that is not finite, the first is number " +
+           std::to_string(first);
+}
+
 // The scene while it is posed.
 class Posing {
   public:
     // `sharing`: which meshes are kept once; null: none.
+    // `nodes`: whose meshes are posed; null: all.
     Posing(const Scene& scene, const PoseTime& time, size_t mostTriangles, Detail detail,
-           const Sharing* sharing = nullptr)
+           const Sharing* sharing = nullptr, const std::vector<bool>* nodes = nullptr)
         : scene_(scene),
           sharing_(sharing),
+          nodes_(nodes),
           detail_(detail),
           budget_{mostTriangles, kTermsPerTriangle * mostTriangles},
           states_(restStates(scene)) {
@@ -41,14 +51,19 @@ class Posing {
         for (const NodeState& state : states_) local.push_back(matrixOf(state.transform));
         toWorld_ = worldTransforms(scene, local);
         const size_t count = countTriangles(scene, mostTriangles);
-        if (sharing) return;
+        if (sharing || nodes) return;
         posed_.triangles.reserve(count);
         posed_.materialOf.reserve(count);
     }
 
     PosedScene run() {
         addNodes();
-        if (const auto warning = nonFiniteWarning(posed_.triangles)) warnings_.add(*warning);
+        if (const auto warning = nonFiniteWarning(posed_)) warnings_.add(*warning);
+        return finished();
+    }
+
+    PosedScene runPart() {
+        addNodes();
         return finished();
     }
 
@@ -76,15 +91,21 @@ class Posing {
         const gltf::Node& node = scene_.nodes[index];
         if (node.camera) addCamera(index);
         if (node.light) addLight(index);
-        if (node.mesh) {
+        if (node.mesh && (!nodes_ || (*nodes_)[index])) {
             const size_t before = numbersUsed();
             const size_t first = posed_.triangles.size();
             addMesh(index);
             posed_.meshes.push_back({index, numbersUsed() - before});
-            if (!sharing_) return;
+            if (!sharing_) return countNonFinite(posed_.meshes.back(), first);
             for (size_t i = first; i < posed_.triangles.size(); ++i)
                 shared_.numbers.push_back(uint32_t(before + i - first));
         }
+    }
+
+    void countNonFinite(ShownMesh& mesh, size_t first) {
+        const std::span<const Triangle> own = std::span(posed_.triangles).subspan(first);
+        mesh.nonFinite = size_t(std::ranges::count_if(own, isNotFinite));
+        if (mesh.nonFinite > 0) mesh.firstNonFinite = size_t(std::ranges::find_if(own, isNotFinite) - own.begin());
     }
 
     void addCamera(uint32_t index) {
@@ -158,6 +179,7 @@ class Posing {
 
     const Scene& scene_;
     const Sharing* sharing_;
+    const std::vector<bool>* nodes_;
     Detail detail_;
     Budget budget_;
     Warnings warnings_;
@@ -173,16 +195,31 @@ class Posing {
 }  // namespace
 
 std::optional<std::string> nonFiniteWarning(std::span<const Triangle> triangles, std::span<const uint32_t> numbers) {
-    auto isBad = [](const Triangle& t) { return !isFinite3(t.a) || !isFinite3(t.b) || !isFinite3(t.c); };
-    const auto bad = std::count_if(triangles.begin(), triangles.end(), isBad);
+    const auto bad = std::ranges::count_if(triangles, isNotFinite);
     if (bad == 0) return std::nullopt;
-    const auto first = size_t(std::find_if(triangles.begin(), triangles.end(), isBad) - triangles.begin());
-    return std::to_string(bad) + " triangles have a vertex that is not finite, the first is number " +
-           std::to_string(numbers.empty() ? first : numbers[first]);
+    const auto first = size_t(std::ranges::find_if(triangles, isNotFinite) - triangles.begin());
+    return nonFiniteSentence(size_t(bad), numbers.empty() ? first : numbers[first]);
+}
+
+std::optional<std::string> nonFiniteWarning(const PosedScene& posed) {
+    size_t count = 0, first = 0, next = 0;
+    for (const ShownMesh& mesh : posed.meshes) {
+        if (count == 0 && mesh.nonFinite > 0) first = next + mesh.firstNonFinite;
+        count += mesh.nonFinite;
+        next += mesh.triangles;
+    }
+    if (count == 0) return std::nullopt;
+    return nonFiniteSentence(count, first);
 }
 
 PosedScene pose(const Scene& scene, const PoseTime& time, size_t mostTriangles, Detail detail) {
     return naming("cannot pose '" + scene.name + "'", [&] { return Posing(scene, time, mostTriangles, detail).run(); });
+}
+
+PosedScene posePart(const Scene& scene, const PoseTime& time, const std::vector<bool>& nodes, size_t mostTriangles,
+                    Detail detail) {
+    return naming("cannot pose '" + scene.name + "'",
+                  [&] { return Posing(scene, time, mostTriangles, detail, nullptr, &nodes).runPart(); });
 }
 
 SharedPose poseShared(const Scene& scene, const PoseTime& time, const Sharing& sharing, size_t mostTriangles) {

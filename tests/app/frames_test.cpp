@@ -228,6 +228,53 @@ TEST_F(Frames, AreTheSameWithATreeForWhatMoves) {
     EXPECT_EQ(reportOf("j")["build"]["trees"], 1) << "nothing moves";
 }
 
+// From the second frame on only what moves is posed and uploaded; with views that show what corners have, too.
+TEST_F(Frames, ShowWhatTheirTimeShowsAfterOthers) {
+    for (const char* view : {"depth", "normals", "shaded", "path"})
+        for (const char* name : {"animation", "morph_target", "skin"}) {
+            ASSERT_EQ(render({feature(name), "-o", at("f.png"), "--frames", "1:4", "--fps", "3", "--view", view,
+                              "--split-moving", "on", "--quiet"})
+                          .status,
+                      0);
+            EXPECT_EQ(contentOf(folder_ / "f_0003.png"), picture(feature(name), {"--time", "1", "--view", view}))
+                << name << ", " << view;
+        }
+}
+
+// A target whose data is nowhere leaves its primitive out as long as it has a weight. What it leaves, and whose numbers
+// are others then, is seen all the same.
+TEST_F(Frames, FollowWhatTheFileLacksAtTheirTime) {
+    Document document = morphDocument();
+    const int nowhere = document.addPositions({0, 0, 1, 0, 0, 1, 0, 0, 1});
+    document.primitive()["targets"][1]["POSITION"] = nowhere;
+    const int turned = document.addPositions({0, 0, 0, 2, 0, 0, 0, 0, 2});
+    document.addMesh(turned);
+    document.addMesh(turned);
+    document.json["nodes"][2]["translation"] = {0, -1, 0};
+    document.json["scenes"][0]["nodes"] = {0, 1, 2};
+    Animated animated = Animated(document).add("weights", "STEP", {0, 1, 2}, {0.5f, 0, 0.5f, 1, 0.25f, 0});
+    animated.add("translation", "LINEAR", {0, 3}, {0, 0, 0, 0, 1, 1}, 1);
+    Json& json = animated.document().json;
+    const std::string& data = animated.document().data;
+    json["buffers"] = {{{"byteLength", data.size()}, {"uri", "data:application/octet-stream;base64," + base64(data)}},
+                       {{"byteLength", data.size()}}};
+    json["bufferViews"][size_t(json["accessors"][size_t(nowhere)]["bufferView"])]["buffer"] = 1;
+    const std::string file = scene("lacking.gltf", animated.document());
+    for (const char* view : {"depth", "shaded"}) {
+        const Outcome outcome = render({file, "-o", at("f.png"), "--frames", "0:2", "--fps", "1", "--view", view,
+                                        "--split-moving", "on", "--json", at("j"), "--check", "200"});
+        ASSERT_EQ(outcome.status, 0) << outcome.err;
+        EXPECT_NE(outcome.err.find("is left out"), std::string::npos) << outcome.err;
+        EXPECT_EQ(reportOf("j")["frames"][0]["movingTriangles"], 2);
+        EXPECT_EQ(reportOf("j")["frames"][1]["movingTriangles"], 1);
+        EXPECT_EQ(reportOf("j")["frames"][2]["movingTriangles"], 2);
+        for (const char* second : {"0", "1", "2"})
+            EXPECT_EQ(contentOf(folder_ / (std::string("f_000") + second + ".png")),
+                      picture(file, {"--time", second, "--view", view}))
+                << view << " at " << second;
+    }
+}
+
 // By itself where building counts for more than rays: a picture of a few pixels, not one of many.
 TEST_F(Frames, HaveATreeForWhatMovesWhereThatPays) {
     for (const auto& [size, trees] : {std::pair("8x6", 2), {"128x96", 1}}) {
