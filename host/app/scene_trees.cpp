@@ -34,7 +34,7 @@ SceneTrees::SceneTrees(const Options& options, Session& session, const TreeWork&
 }
 
 void SceneTrees::split() {
-    const PosedScene& posed = session_.posed();
+    const PosedScene& posed = session_.posedButTriangles();
     const std::vector<bool>& nodes = session_.movingNodes();
     meshes_ = posed.meshes;
     parts_.clear();
@@ -57,10 +57,10 @@ void SceneTrees::split() {
     }
 }
 
-uint64_t SceneTrees::staticTriangles() const { return session_.posed().triangles.size() - moving_; }
+uint64_t SceneTrees::staticTriangles() const { return session_.posedButTriangles().triangles.size() - moving_; }
 
 void SceneTrees::build(bool plain) {
-    if (!haveSameNumbers(meshes_, session_.posed().meshes)) split();
+    if (!haveSameNumbers(meshes_, session_.posedButTriangles().meshes)) split();
     ms_ = staticMs_ = 0.0;
     for (Part& part : parts_) {
         if (part.stays && part.built.onDevice) continue;

@@ -13,11 +13,23 @@
 #include "scene/animation.h"
 #include "scene/camera.h"
 #include "scene/pose_again.h"
+#include "scene/pose_tables.h"
 
 namespace cleave {
 namespace {
 
 namespace fs = std::filesystem;
+
+// Of device memory, for posing; before it is there, it is on the host.
+constexpr uint64_t kMostPoseBytes = uint64_t{256} << 20;
+
+// Where fewer triangles move the host has posed and uploaded them before a device has begun.
+constexpr uint64_t kFewestToPose = 2048;
+
+// Devices that are the CPU do not pose faster than the host does: see docs/motion.md.
+bool paysOnDevice(uint64_t triangles, const Device& device) {
+    return triangles >= kFewestToPose && device.properties().deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU;
+}
 
 // The timed part is from triangles in memory to a KdTree.
 void buildOver(const TriangleSet& set, BuiltTree& built, const BuildSettings& settings) {
@@ -107,8 +119,56 @@ void Session::poseScene(const PoseTime& time) {
     run_.progress.clear();
 }
 
+const PosedScene& Session::posed() const {
+    if (later_) poseAgain(posed_, scene_, *std::exchange(later_, std::nullopt), movingNodes_, detail_);
+    return posed_;
+}
+
+void Session::mayPoseOnDevice(bool always) {
+    mayPoseOnDevice_ = detail_ == Detail::triangles;
+    alwaysPoseOnDevice_ = always;
+}
+
+// Makes what the device poses by; false where the host shall.
+bool Session::preparePose() {
+    if (pose_) return true;
+    if (!std::exchange(mayPoseOnDevice_, false) || !onDevice_) return false;
+    Device& device = run_.device.device();
+    if (!alwaysPoseOnDevice_ && !paysOnDevice(countMoving(posed_, movingNodes()), device)) return false;
+    const uint64_t asked = run_.options.settings.memory;
+    const uint64_t most = asked == 0 ? kMostPoseBytes : std::min(asked, kMostPoseBytes);
+    const auto tables = poseTables(scene_, posed_, movingNodes(), most);
+    if (!tables) return false;
+    run_.device.poser();
+    pose_ = std::make_unique<DevicePose>(
+        device, PoseArrays{tables->parts, tables->positions, tables->morphs, tables->deltas, tables->influences,
+                           tables->corners, tables->numbers, tables->vertices});
+    return true;
+}
+
+void Session::poseOnDevice(const PoseTime& time) {
+    const Stopwatch watch;
+    PosedScene rest = posePart(scene_, time, std::vector<bool>(scene_.nodes.size()));
+    const PoseMotion motion = poseMotion(scene_, time, movingNodes());
+    run_.device.poser().pose(*pose_, motion.maps, motion.weights, *onDevice_);
+    later_ = time;
+    posed_.cameras = std::move(rest.cameras);
+    posed_.lights = std::move(rest.lights);
+    isPosedAgain_ = true;
+    poseMs_ = watch.milliseconds();
+    warnOnce(rest.warnings);
+    run_.progress.clear();
+}
+
+// Trees tell of triangles that the host has not seen.
+void Session::warnOfNonFinite(const TreeHeader& header) {
+    if (header.nonFinite == 0 || !later_) return;
+    warnOnce(posed().warnings);
+}
+
 void Session::poseWhatMoves(const PoseTime& time) {
     forgetPose();
+    if (preparePose()) return poseOnDevice(time);
     const Stopwatch watch;
     isPosedAgain_ = poseAgain(posed_, scene_, time, movingNodes(), detail_);
     poseMs_ = watch.milliseconds();
@@ -126,6 +186,7 @@ void Session::poseWhatMoves(const PoseTime& time) {
 
 // What was found out of the pose before.
 void Session::forgetPose() {
+    later_.reset();
     reference_.reset();
     set_.reset();
     bounds_.reset();
@@ -133,7 +194,7 @@ void Session::forgetPose() {
 }
 
 const TriangleSet& Session::set() const {
-    if (!set_) set_ = makeTriangleSet(posed_.triangles);
+    if (!set_) set_ = makeTriangleSet(posed().triangles);
     return *set_;
 }
 
@@ -143,7 +204,7 @@ const std::vector<bool>& Session::movingNodes() {
 }
 
 const Box& Session::worldBounds() const {
-    if (!bounds_) bounds_ = finiteBounds(posed_.triangles);
+    if (!bounds_) bounds_ = finiteBounds(posed().triangles);
     return *bounds_;
 }
 
@@ -161,7 +222,7 @@ const DeviceTriangles& Session::trianglesOnDevice() {
     if (onDevice_) return *onDevice_;
     Device& device = run_.device.device();
     const Stopwatch uploading;
-    onDevice_ = std::make_unique<DeviceTriangles>(device, posed_.triangles);
+    onDevice_ = std::make_unique<DeviceTriangles>(device, posed().triangles);
     uploadMs_ = uploading.milliseconds();
     return *onDevice_;
 }
@@ -172,20 +233,20 @@ DeviceSurfaces Session::surfacesOnDevice(View view) {
     uint64_t most = device.largestAllocation();
     if (run_.options.settings.memory != 0) most = std::min(most, run_.options.settings.memory);
     const SurfaceData data = surfacesOf(
-        scene_, posed_, view, most, [this](const std::string& warning) { run_.warn(warning); }, needs_);
+        scene_, posed(), view, most, [this](const std::string& warning) { run_.warn(warning); }, needs_);
     run_.progress.clear();
     return DeviceSurfaces(device, data);
 }
 
 void Session::moveSurfaces(DeviceSurfaces& surfaces) {
-    if (!isPosedAgain_) return surfaces.move(run_.device.device(), posedSurfaces(posed_, needs_));
+    if (!isPosedAgain_) return surfaces.move(run_.device.device(), posedSurfaces(posed(), needs_));
     if (detail_ == Detail::triangles) return;  // there is nothing that moves
-    for (const TriangleRun& run : moving_) surfaces.move(run.first, posedSurfaces(posed_, run, needs_));
+    for (const TriangleRun& run : moving_) surfaces.move(run.first, posedSurfaces(posed(), run, needs_));
 }
 
 void Session::buildOnHost(BuiltTree& built, const BuildSettings& settings, std::span<const uint32_t> list) {
     if (list.empty()) return buildOver(set(), built, settings);
-    const TriangleSet part = makeTriangleSet(trianglesOf(posed_.triangles, list));
+    const TriangleSet part = makeTriangleSet(trianglesOf(posed().triangles, list));
     buildOver(part, built, settings);
     built.onDevice = uploadTree(run_.device.device(), part, built.tree, list);
     for (uint32_t& triangle : built.tree.leafTriangles) triangle = list[triangle];
@@ -195,6 +256,7 @@ void Session::buildOnDevice(BuiltTree& built, const BuildSettings& settings, std
     built.onDevice.reset();  // a second run must not need memory for two trees
     GpuBuilder::Result result = run_.device.builder().build(trianglesOnDevice(), settings, list);
     built.onDevice = std::move(result.tree);
+    warnOfNonFinite(built.onDevice->header);
     built.runs.push_back(result.ms);
     built.peakBytes = result.peakBytes;
     built.memoryLimited = result.memoryLimited;
@@ -219,7 +281,7 @@ BuiltTree Session::prepared(Builder builder) {
 
 void Session::loadSaved(BuiltTree& built) {
     const Stopwatch watch;
-    built.tree = readTree(*run_.options.tree, posed_.triangles, set());
+    built.tree = readTree(*run_.options.tree, posed().triangles, set());
     built.runs.push_back(watch.milliseconds());
 }
 
@@ -283,7 +345,7 @@ const DeviceTree& Session::upload(BuiltTree& built) {
 
 CheckResult Session::check(std::span<const Ray> rays, std::span<const Hit> hits, Query query, uint64_t count) {
     run_.progress.phase("checking");
-    if (!reference_) reference_ = std::make_unique<Reference>(posed_.triangles, set().included);
+    if (!reference_) reference_ = std::make_unique<Reference>(posed().triangles, set().included);
     CheckResult result = cleave::check(*reference_, rays, hits, query, count, run_.options.settings.threads);
     run_.progress.clear();
     return result;

@@ -14,6 +14,7 @@
 #include "app/run.h"
 #include "figures/built_tree.h"
 #include "judge/oracle.h"
+#include "run/poser.h"
 #include "scene/moving_nodes.h"
 #include "scene/pose.h"
 
@@ -40,9 +41,15 @@ class Session {
     // Poses the scene anew; what was built or judged before was of another pose. From the second time on triangles that
     // do not move stay as they are, on the device, too.
     void poseAt(double seconds);
+    // The others are posed on the device from now on, where that can be and, unless it is `always`, pays; and on the
+    // host when somebody asks for them. Not with what surfaces look like at their corners, which the host poses.
+    void mayPoseOnDevice(bool always);
+    bool isPosedOnDevice() const { return pose_ != nullptr; }
 
     const Scene& scene() const { return scene_; }
-    const PosedScene& posed() const { return posed_; }
+    const PosedScene& posed() const;
+    // The same, but of the triangles that move perhaps only the numbers, not where they are.
+    const PosedScene& posedButTriangles() const { return posed_; }
     const TriangleSet& set() const;
     // Of each node, whether it moves while the animations play.
     const std::vector<bool>& movingNodes();
@@ -92,6 +99,9 @@ class Session {
     void readUnplayed() const;
     void poseScene(const PoseTime& time);
     void poseWhatMoves(const PoseTime& time);
+    void poseOnDevice(const PoseTime& time);
+    bool preparePose();
+    void warnOfNonFinite(const TreeHeader& header);
     void forgetPose();
     void warnOnce(const std::vector<std::string>& warnings);
     BuiltTree prepared(Builder builder);
@@ -109,11 +119,12 @@ class Session {
     Scene scene_;
     std::vector<uint32_t> animations_;
     std::set<std::string> warned_;
-    PosedScene posed_;
-    bool isPlaying_ = false;           // posed_ is of a time of the animations
-    bool isPosedAgain_ = false;        // nothing but what moves differs from the pose before
-    std::vector<TriangleRun> moving_;  // of a pose that plays
-    std::vector<bool> movingNodes_;    // empty: not known yet
+    mutable PosedScene posed_;
+    mutable std::optional<PoseTime> later_;  // of the triangles that move, where the device is ahead of posed_
+    bool isPlaying_ = false;                 // posed_ is of a time of the animations
+    bool isPosedAgain_ = false;              // nothing but what moves differs from the pose before
+    std::vector<TriangleRun> moving_;        // of a pose that plays
+    std::vector<bool> movingNodes_;          // empty: not known yet
     // Of the pose, each made when it is first asked for.
     mutable std::optional<TriangleSet> set_;
     mutable std::optional<Box> bounds_;
@@ -122,6 +133,8 @@ class Session {
     double poseMs_ = 0.0;
     double uploadMs_ = 0.0;
     std::unique_ptr<DeviceTriangles> onDevice_;
+    bool mayPoseOnDevice_ = false, alwaysPoseOnDevice_ = false;
+    std::unique_ptr<DevicePose> pose_;
     std::unique_ptr<Reference> reference_;
 };
 

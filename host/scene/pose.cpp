@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "scene/animation.h"
 #include "scene/instances.h"
 #include "scene/node_transforms.h"
 #include "scene/place_camera.h"
 #include "scene/pose_primitive.h"
+#include "scene/posed_nodes.h"
 #include "scene/shared_pose.h"
 #include "scene/skin_matrices.h"
 #include "scene/triangle_count.h"
@@ -44,12 +44,8 @@ class Posing {
           nodes_(nodes),
           detail_(detail),
           budget_{mostTriangles, kTermsPerTriangle * mostTriangles},
-          states_(restStates(scene)) {
+          placed_(poseNodes(scene, time, warnings_)) {
         posed_.name = scene.name;
-        animate(scene, time, states_, warnings_);
-        std::vector<glm::dmat4> local;
-        for (const NodeState& state : states_) local.push_back(matrixOf(state.transform));
-        toWorld_ = worldTransforms(scene, local);
         const size_t count = countTriangles(scene, mostTriangles);
         if (sharing || nodes) return;
         posed_.triangles.reserve(count);
@@ -85,7 +81,7 @@ class Posing {
         return std::move(posed_);
     }
 
-    size_t numbersUsed() const { return posed_.triangles.size() + placed_; }
+    size_t numbersUsed() const { return posed_.triangles.size() + inPlaces_; }
 
     void addNode(uint32_t index) {
         const gltf::Node& node = scene_.nodes[index];
@@ -110,14 +106,14 @@ class Posing {
 
     void addCamera(uint32_t index) {
         const gltf::Node& node = scene_.nodes[index];
-        if (const auto camera = placeCamera(scene_.cameras[*node.camera], node.name, toWorld_[index]))
+        if (const auto camera = placeCamera(scene_.cameras[*node.camera], node.name, placed_.toWorld[index]))
             posed_.cameras.push_back(*camera);
         else
             warnings_.add(nameOf(scene_, index) + " has a camera that shows no picture; it is ignored");
     }
 
     void addLight(uint32_t index) {
-        if (const auto light = placeLight(scene_, *scene_.nodes[index].light, toWorld_[index]))
+        if (const auto light = placeLight(scene_, *scene_.nodes[index].light, placed_.toWorld[index]))
             posed_.lights.push_back(*light);
         else
             warnings_.add(nameOf(scene_, index) + " has a light that is nowhere, or has no direction; it is ignored");
@@ -131,7 +127,7 @@ class Posing {
                           (node.skin ? "also a skin" : "their data is in a buffer that has no URI"));
         // A skinned mesh is where its joints are; its node's own transform does not count.
         const bool hasSkin = node.skin && isPlacedBySkin(*node.skin, name);
-        const Deformation deformation{&states_[index].weights, hasSkin ? &skins_.of(*node.skin) : nullptr};
+        const Deformation deformation{&placed_.states[index].weights, hasSkin ? &skins_.of(*node.skin) : nullptr};
         const InstanceTransforms instances(scene_, node);
         MeshPosing posing{scene_, deformation, instances.count(), detail_, budget_, posed_.leftOut, warnings_};
         const bool isShared = sharing_ && sharing_->meshes[*node.mesh] && !node.skin;
@@ -142,10 +138,11 @@ class Posing {
             if (primitive && (isShared || hasInstances(scene_, node)))
                 primitives.push_back(std::move(*primitive));
             else if (primitive)
-                primitive->appendTo(posed_, toWorld_[index]);
+                primitive->appendTo(posed_, placed_.toWorld[index]);
         }
         for (size_t i = 0; i < instances.count() && !primitives.empty(); ++i) {
-            const glm::dmat4 toWorld = hasInstances(scene_, node) ? toWorld_[index] * instances[i] : toWorld_[index];
+            const glm::dmat4 toWorld =
+                hasInstances(scene_, node) ? placed_.toWorld[index] * instances[i] : placed_.toWorld[index];
             if (isShared)
                 place(*node.mesh, primitives, toWorld);
             else
@@ -166,7 +163,7 @@ class Posing {
     void place(uint32_t mesh, const std::vector<PosablePrimitive>& primitives, const glm::dmat4& toWorld) {
         const uint32_t kept = keptOnce(mesh, primitives);
         shared_.places.push_back({kept, uint32_t(numbersUsed()), toWorld});
-        placed_ += shared_.meshes[kept].triangles.size();
+        inPlaces_ += shared_.meshes[kept].triangles.size();
     }
 
     bool isPlacedBySkin(uint32_t skin, const std::string& name) {
@@ -183,13 +180,12 @@ class Posing {
     Detail detail_;
     Budget budget_;
     Warnings warnings_;
-    std::vector<NodeState> states_;
-    std::vector<glm::dmat4> toWorld_;
-    SkinMatrices skins_{scene_, toWorld_};
+    PosedNodes placed_;
+    SkinMatrices skins_{scene_, placed_.toWorld};
     PosedScene posed_;
     SharedPose shared_;
     std::map<uint32_t, uint32_t> kept_;  // mesh -> its index in shared_
-    size_t placed_ = 0;                  // triangles of places
+    size_t inPlaces_ = 0;                // triangles of places
 };
 
 }  // namespace
