@@ -72,6 +72,16 @@ TEST(PoseAgain, leavesAloneWhatDoesNotMove) {
     EXPECT_LT(marked.size(), again.triangles.size());
 }
 
+TEST(PoseAgain, turnsSides) {
+    Animated mirrored = Animated().add("scale", "STEP", {0, 1}, {1, 1, 1, -1, 1, 1});
+    const Scene scene = sceneOf(mirrored.document());
+    PosedScene again = pose(scene, {0.0, {0}}, kMostTriangles, Detail::corners);
+    const std::vector<uint32_t> before = again.sides;
+    EXPECT_TRUE(poseAgain(again, scene, {1.0, {0}}, {true}, Detail::corners));
+    EXPECT_NE(again.sides, before);
+    expectSame(again, pose(scene, {1.0, {0}}, kMostTriangles, Detail::corners));
+}
+
 // The triangle of node 0 flies from where floats end to where they do not; that of node 1 stays.
 TEST(PoseAgain, tellsOfAllThatIsNotFinite) {
     Document document = triangleDocument();
