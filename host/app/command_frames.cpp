@@ -40,6 +40,9 @@ class FrameRenderer {
           trees_(run.options, session_,
                  {countsSteps(run.options.view), run.options.frames->first < run.options.frames->last,
                   raysOf(run.options)}) {
+        // No other builder has what the device poses.
+        if (run.options.devicePose != Choice::off && trees_.builder() == Builder::gpu)
+            session_.mayPoseOnDevice(run.options.devicePose == Choice::on);
         requestOf(run, session_);  // a camera that is not there shows now
         report_["scene"] = sceneJson(session_);
         report_["frames"] = Json::array();
@@ -111,7 +114,9 @@ class FrameRenderer {
         return {{"frame", frame.number},
                 {"seconds", numberJson(frame.seconds)},
                 {"file", frame.file.string()},
+                {"posedBy", session_.isPosedOnDevice() ? "device" : "host"},
                 {"poseMs", numberJson(session_.poseMilliseconds())},
+                {"uploadMs", numberJson(session_.uploadMilliseconds())},
                 {"buildMs", numberJson(movingMs())},
                 {"traceMs", numberJson(picture.traceMs)},
                 {"renderMs", numberJson(picture.ms)},

@@ -61,9 +61,14 @@ Renderer& DeviceKit::renderer() {
     return *renderer_;
 }
 
+Poser& DeviceKit::poser() {
+    if (!poser_) poser_ = std::make_unique<Poser>(device());
+    return *poser_;
+}
+
 double DeviceKit::setupMilliseconds() const {
     return builderSetupMilliseconds() + (tracer_ ? tracer_->setupMilliseconds() : 0.0) +
-           (renderer_ ? renderer_->setupMilliseconds() : 0.0);
+           (renderer_ ? renderer_->setupMilliseconds() : 0.0) + (poser_ ? poser_->setupMilliseconds() : 0.0);
 }
 
 std::optional<std::string> DeviceKit::name() const { return device_ ? std::optional(device_->name()) : std::nullopt; }

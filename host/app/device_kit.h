@@ -8,6 +8,7 @@
 
 #include "gpu/device.h"
 #include "run/gpu_builder.h"
+#include "run/poser.h"
 #include "run/renderer.h"
 #include "run/searcher.h"
 #include "run/tracer.h"
@@ -32,6 +33,7 @@ class DeviceKit {
     Tracer& tracer();
     Searcher& searcher();
     Renderer& renderer();
+    Poser& poser();
 
     bool isOpen() const { return device_ != nullptr; }
     std::optional<std::string> name() const;  // nothing unless opened
@@ -54,6 +56,7 @@ class DeviceKit {
     std::unique_ptr<Tracer> tracer_;
     std::unique_ptr<Searcher> searcher_;
     std::unique_ptr<Renderer> renderer_;
+    std::unique_ptr<Poser> poser_;
 };
 
 }  // namespace cleave

@@ -66,6 +66,7 @@ struct Options {
     std::string animation;       // by name or index, or kAllAnimations; empty: the first
     std::optional<FrameRange> frames;
     Choice splitMoving = Choice::automatic;  // a tree of its own for what moves
+    Choice devicePose = Choice::automatic;   // of frames: what moves is posed on the device
 
     uint32_t width = 1280;
     uint32_t height = 720;

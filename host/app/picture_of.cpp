@@ -22,7 +22,9 @@ Camera cameraOf(const PictureSubject& subject, const Options& options) {
 }  // namespace
 
 PictureRequest requestOf(Run& run, Session& session) {
-    return requestOf(run, {session.scene(), session.posed(), session.restBounds(), session.needs()});
+    const bool showsTriangles = run.options.view == View::path;  // by what they light
+    const PosedScene& posed = showsTriangles ? session.posed() : session.posedButTriangles();
+    return requestOf(run, {session.scene(), posed, session.restBounds(), session.needs()});
 }
 
 PictureRequest requestOf(Run& run, const PictureSubject& subject) {

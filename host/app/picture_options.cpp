@@ -96,6 +96,7 @@ void addRender(CLI::App& app, Options& options) {
     addTree(app, options);
     app.get_option("--tree")->excludes("--frames");
     addSplitMoving(app, options);
+    addDevicePose(app, options);
     addTraversal(app, options, false);
     addInstances(app, options);
     addLazy(app, options);

@@ -43,6 +43,12 @@ void addSplitMoving(CLI::App& app, Options& options) {
     app.get_option("--tree")->excludes("--split-moving");
 }
 
+void addDevicePose(CLI::App& app, Options& options) {
+    addNamed(app, "--device-pose", "what moves is posed on the device; auto: where that pays", options.devicePose,
+             kChoices);
+    app.get_option("--device-pose")->needs("--frames");
+}
+
 void addInstances(CLI::App& app, Options& options) {
     addNamed(app, "--instances", "one tree for a mesh that stands in many places; auto: where it saves memory",
              options.instances, kChoices);

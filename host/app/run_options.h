@@ -15,6 +15,7 @@ void addMachine(CLI::App& app, Options& options);
 void addTree(CLI::App& app, Options& options);
 // After addTree().
 void addSplitMoving(CLI::App& app, Options& options);
+void addDevicePose(CLI::App& app, Options& options);  // after --frames
 void addInstances(CLI::App& app, Options& options);
 void addLazy(CLI::App& app, Options& options);
 void addKeepAll(CLI::App& app, Options& options);

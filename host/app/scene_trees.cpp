@@ -25,6 +25,10 @@ bool isBuiltLazily(const Options& options, const TreeWork& work, Builder builder
            builder == Builder::gpu && !work.recurs && work.rays <= kFewRaysPerTriangle * triangles;
 }
 
+bool haveSameNumbers(const std::vector<ShownMesh>& a, const std::vector<ShownMesh>& b) {
+    return std::ranges::equal(a, b, {}, &ShownMesh::triangles, &ShownMesh::triangles);
+}
+
 double distanceTo(const DeviceTree& tree, const glm::dvec3& eye) {
     const Box bounds = tree.bounds();
     const double unit = std::ldexp(1.0, tree.header.exponent);
@@ -39,21 +43,28 @@ uint64_t raysOf(const Options& options) {
     return pixels * samplesOf(options) * (options.view == View::path ? 8 : showsSurfaces(options.view) ? 2 : 1);
 }
 
-SceneTrees::SceneTrees(const Options& options, Session& session, const TreeWork& work) : session_(session) {
-    const PosedScene& posed = session.posed();
-    const std::vector<bool> nodes = movingNodes(session.scene(), session.animations());
+SceneTrees::SceneTrees(const Options& options, Session& session, const TreeWork& work)
+    : options_(options), session_(session), work_(work) {
+    split();
+}
+
+void SceneTrees::split() {
+    const PosedScene& posed = session_.posedButTriangles();
+    const std::vector<bool>& nodes = session_.movingNodes();
+    meshes_ = posed.meshes;
+    parts_.clear();
     moving_ = countMoving(posed, nodes);
-    const Builder chosen = session.chosenBuilder(work.showsTree);
-    isLazy_ = isBuiltLazily(options, work, chosen, posed.triangles.size());
-    const bool wanted = !isLazy_ && (options.splitMoving == Choice::on ||
-                                     (options.splitMoving == Choice::automatic && pays(work, staticTriangles())));
+    const Builder chosen = session_.chosenBuilder(work_.showsTree);
+    isLazy_ = isBuiltLazily(options_, work_, chosen, posed.triangles.size());
+    const bool wanted = !isLazy_ && (options_.splitMoving == Choice::on ||
+                                     (options_.splitMoving == Choice::automatic && pays(work_, staticTriangles())));
     if (!wanted || moving_ == 0 || staticTriangles() == 0) {
         parts_.push_back({chosen, {}, false});
         return;
     }
     const auto builderOf = [&](const std::vector<uint32_t>& list, Builder otherwise) {
-        const bool isFew = list.size() <= kFewTriangles && !session.needs().keeps(Need::tree);
-        return options.namesBuilder ? chosen : isFew ? Builder::brute : otherwise;
+        const bool isFew = list.size() <= kFewTriangles && !session_.needs().keeps(Need::tree);
+        return options_.namesBuilder ? chosen : isFew ? Builder::brute : otherwise;
     };
     for (const bool moves : {false, true}) {
         std::vector<uint32_t> list = trianglesThat(moves, posed, nodes);
@@ -62,9 +73,10 @@ SceneTrees::SceneTrees(const Options& options, Session& session, const TreeWork&
     }
 }
 
-uint64_t SceneTrees::staticTriangles() const { return session_.posed().triangles.size() - moving_; }
+uint64_t SceneTrees::staticTriangles() const { return session_.posedButTriangles().triangles.size() - moving_; }
 
 void SceneTrees::build(bool plain) {
+    if (!haveSameNumbers(meshes_, session_.posedButTriangles().meshes)) split();
     ms_ = staticMs_ = 0.0;
     if (isLazy_) {
         lazy_.reset();  // the old one need not be beside the new one

@@ -59,7 +59,12 @@ class SceneTrees {
         BuiltTree built{};
     };
 
+    void split();
+
+    const Options& options_;
     Session& session_;
+    TreeWork work_;
+    std::vector<ShownMesh> meshes_;  // that the parts are of
     bool isLazy_ = false;
     std::unique_ptr<LazyTree> lazy_;
     std::vector<Part> parts_;  // what stays comes first

@@ -13,11 +13,24 @@
 #include "run/device_builders.h"
 #include "scene/animation.h"
 #include "scene/camera.h"
+#include "scene/pose_again.h"
+#include "scene/pose_tables.h"
 
 namespace cleave {
 namespace {
 
 namespace fs = std::filesystem;
+
+// Of device memory, for posing; before it is there, it is on the host.
+constexpr uint64_t kMostPoseBytes = uint64_t{256} << 20;
+
+// Where fewer triangles move the host has posed and uploaded them before a device has begun.
+constexpr uint64_t kFewestToPose = 2048;
+
+// Devices that are the CPU do not pose faster than the host does: see docs/motion.md.
+bool paysOnDevice(uint64_t triangles, const Device& device) {
+    return triangles >= kFewestToPose && device.properties().deviceType != VK_PHYSICAL_DEVICE_TYPE_CPU;
+}
 
 // The timed part is from triangles in memory to a KdTree.
 void buildOver(const TriangleSet& set, BuiltTree& built, const BuildSettings& settings) {
@@ -67,11 +80,11 @@ Session::Session(Run& run, ReadScene loaded, Detail detail)
         poseAt(*options.time);
     } else {
         poseScene({});
-        restBounds_ = bounds_;
+        restBounds_ = worldBounds();
     }
     const bool played = (options.time || options.frames) && !animations_.empty();
     if (!played && needs_.keeps(Need::animation)) readUnplayed();
-    findInScene(needs_, scene_, bounds_, played);
+    findInScene(needs_, scene_, worldBounds(), played);
 }
 
 // Their keys, for nothing.
@@ -85,23 +98,115 @@ Builder Session::chosenBuilder(bool showsTree) {
     const Builder named = run_.options.builders.front();
     if (run_.options.tree) return named;
     if (isOnDevice(named.name))
-        findInBuild(needs_, set_, settings_.exactUpTo, !run_.options.namesBuilder && !showsTree);
+        findInBuild(needs_, set(), settings_.exactUpTo, !run_.options.namesBuilder && !showsTree);
     return needs_.isLeftOut(Need::tree) ? Builder::brute : named;
 }
 
-void Session::poseAt(double seconds) { poseScene({seconds, animations_}); }
+void Session::poseAt(double seconds) {
+    if (isPlaying_) return poseWhatMoves({seconds, animations_});
+    poseScene({seconds, animations_});
+    isPlaying_ = true;
+    moving_ = runsThat(true, posed_, movingNodes());
+}
 
 void Session::poseScene(const PoseTime& time) {
+    forgetPose();
     onDevice_.reset();
-    reference_.reset();
     posed_ = {};  // two poses need not be in memory together
     const Stopwatch watch;
     posed_ = pose(scene_, time, kMostTriangles, detail_);
     poseMs_ = watch.milliseconds();
     warnOnce(posed_.warnings);
-    set_ = makeTriangleSet(posed_.triangles);
-    bounds_ = finiteBounds(posed_.triangles);
     run_.progress.clear();
+}
+
+const PosedScene& Session::posed() const {
+    if (later_) poseAgain(posed_, scene_, *std::exchange(later_, std::nullopt), movingNodes_, detail_);
+    return posed_;
+}
+
+void Session::mayPoseOnDevice(bool always) {
+    mayPoseOnDevice_ = detail_ == Detail::triangles;
+    alwaysPoseOnDevice_ = always;
+}
+
+// Makes what the device poses by; false where the host shall.
+bool Session::preparePose() {
+    if (pose_) return true;
+    if (!std::exchange(mayPoseOnDevice_, false) || !onDevice_) return false;
+    Device& device = run_.device.device();
+    if (!alwaysPoseOnDevice_ && !paysOnDevice(countMoving(posed_, movingNodes()), device)) return false;
+    const uint64_t asked = run_.options.settings.memory;
+    const uint64_t most = asked == 0 ? kMostPoseBytes : std::min(asked, kMostPoseBytes);
+    const auto tables = poseTables(scene_, posed_, movingNodes(), most);
+    if (!tables) return false;
+    run_.device.poser();
+    pose_ = std::make_unique<DevicePose>(
+        device, PoseArrays{tables->parts, tables->positions, tables->morphs, tables->deltas, tables->influences,
+                           tables->corners, tables->numbers, tables->vertices});
+    return true;
+}
+
+void Session::poseOnDevice(const PoseTime& time) {
+    const Stopwatch watch;
+    PosedScene rest = posePart(scene_, time, std::vector<bool>(scene_.nodes.size()));
+    const PoseMotion motion = poseMotion(scene_, time, movingNodes());
+    run_.device.poser().pose(*pose_, motion.maps, motion.weights, *onDevice_);
+    later_ = time;
+    posed_.cameras = std::move(rest.cameras);
+    posed_.lights = std::move(rest.lights);
+    isPosedAgain_ = true;
+    poseMs_ = watch.milliseconds();
+    warnOnce(rest.warnings);
+    run_.progress.clear();
+}
+
+// Trees tell of triangles that the host has not seen.
+void Session::warnOfNonFinite(const TreeHeader& header) {
+    if (header.nonFinite == 0 || !later_) return;
+    warnOnce(posed().warnings);
+}
+
+void Session::poseWhatMoves(const PoseTime& time) {
+    forgetPose();
+    if (preparePose()) return poseOnDevice(time);
+    const Stopwatch watch;
+    isPosedAgain_ = poseAgain(posed_, scene_, time, movingNodes(), detail_);
+    poseMs_ = watch.milliseconds();
+    warnOnce(posed_.warnings);
+    if (!isPosedAgain_) {
+        onDevice_.reset();
+        moving_ = runsThat(true, posed_, movingNodes());
+    } else if (onDevice_) {
+        const Stopwatch uploading;
+        for (const TriangleRun& run : moving_) onDevice_->move(posed_.triangles, run.first, run.count);
+        uploadMs_ = uploading.milliseconds();
+    }
+    run_.progress.clear();
+}
+
+// What was found out of the pose before.
+void Session::forgetPose() {
+    later_.reset();
+    reference_.reset();
+    set_.reset();
+    bounds_.reset();
+    uploadMs_ = 0.0;
+}
+
+const TriangleSet& Session::set() const {
+    if (!set_) set_ = makeTriangleSet(posed().triangles);
+    return *set_;
+}
+
+const std::vector<bool>& Session::movingNodes() {
+    if (movingNodes_.empty()) movingNodes_ = cleave::movingNodes(scene_, animations_);
+    return movingNodes_;
+}
+
+const Box& Session::worldBounds() const {
+    if (!bounds_) bounds_ = finiteBounds(posed().triangles);
+    return *bounds_;
 }
 
 void Session::warnOnce(const std::vector<std::string>& warnings) {
@@ -115,7 +220,11 @@ const Box& Session::restBounds() {
 }
 
 const DeviceTriangles& Session::trianglesOnDevice() {
-    if (!onDevice_) onDevice_ = std::make_unique<DeviceTriangles>(run_.device.device(), posed_.triangles);
+    if (onDevice_) return *onDevice_;
+    Device& device = run_.device.device();
+    const Stopwatch uploading;
+    onDevice_ = std::make_unique<DeviceTriangles>(device, posed().triangles);
+    uploadMs_ = uploading.milliseconds();
     return *onDevice_;
 }
 
@@ -125,18 +234,20 @@ DeviceSurfaces Session::surfacesOnDevice(View view) {
     uint64_t most = device.largestAllocation();
     if (run_.options.settings.memory != 0) most = std::min(most, run_.options.settings.memory);
     const SurfaceData data = surfacesOf(
-        scene_, posed_, view, most, [this](const std::string& warning) { run_.warn(warning); }, needs_);
+        scene_, posed(), view, most, [this](const std::string& warning) { run_.warn(warning); }, needs_);
     run_.progress.clear();
     return DeviceSurfaces(device, data);
 }
 
 void Session::moveSurfaces(DeviceSurfaces& surfaces) {
-    surfaces.move(run_.device.device(), posedSurfaces(posed_, needs_));
+    if (!isPosedAgain_) return surfaces.move(run_.device.device(), posedSurfaces(posed(), needs_));
+    if (detail_ == Detail::triangles) return;  // there is nothing that moves
+    for (const TriangleRun& run : moving_) surfaces.move(run.first, posedSurfaces(posed(), run, needs_));
 }
 
 void Session::buildOnHost(BuiltTree& built, const BuildSettings& settings, std::span<const uint32_t> list) {
-    if (list.empty()) return buildOver(set_, built, settings);
-    const TriangleSet part = makeTriangleSet(trianglesOf(posed_.triangles, list));
+    if (list.empty()) return buildOver(set(), built, settings);
+    const TriangleSet part = makeTriangleSet(trianglesOf(posed().triangles, list));
     buildOver(part, built, settings);
     built.onDevice = uploadTree(run_.device.device(), part, built.tree, list);
     for (uint32_t& triangle : built.tree.leafTriangles) triangle = list[triangle];
@@ -147,6 +258,7 @@ void Session::buildOnDevice(BuiltTree& built, const BuildSettings& settings, std
     GpuBuilder::Result result =
         run_.device.builder().build(trianglesOnDevice(), settingsFor(built.builder.name, settings), list);
     built.onDevice = std::move(result.tree);
+    warnOfNonFinite(built.onDevice->header);
     built.runs.push_back(result.ms);
     built.peakBytes = result.peakBytes;
     built.memoryLimited = result.memoryLimited;
@@ -171,7 +283,7 @@ BuiltTree Session::prepared(Builder builder) {
 
 void Session::loadSaved(BuiltTree& built) {
     const Stopwatch watch;
-    built.tree = readTree(*run_.options.tree, posed_.triangles, set_);
+    built.tree = readTree(*run_.options.tree, posed().triangles, set());
     built.runs.push_back(watch.milliseconds());
 }
 
@@ -210,6 +322,7 @@ std::unique_ptr<LazyTree> Session::buildLazily() {
     run_.progress.phase("building (gpu, lazily)");
     const DeviceTriangles& triangles = trianglesOnDevice();
     auto lazy = builder.buildLazily(triangles, settings_, kOpenUpTo);
+    warnOfNonFinite(lazy->tree().header);
     run_.progress.clear();
     return lazy;
 }
@@ -256,13 +369,13 @@ std::vector<double> Session::timeBuilds(Builder builder, uint32_t runs, const Bu
 }
 
 const DeviceTree& Session::upload(BuiltTree& built) {
-    if (!built.onDevice) built.onDevice = uploadTree(run_.device.device(), set_, built.tree);
+    if (!built.onDevice) built.onDevice = uploadTree(run_.device.device(), set(), built.tree);
     return *built.onDevice;
 }
 
 CheckResult Session::check(std::span<const Ray> rays, std::span<const Hit> hits, Query query, uint64_t count) {
     run_.progress.phase("checking");
-    if (!reference_) reference_ = std::make_unique<Reference>(posed_.triangles, set_.included);
+    if (!reference_) reference_ = std::make_unique<Reference>(posed().triangles, set().included);
     CheckResult result = cleave::check(*reference_, rays, hits, query, count, run_.options.settings.threads);
     run_.progress.clear();
     return result;

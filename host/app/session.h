@@ -14,6 +14,8 @@
 #include "app/run.h"
 #include "figures/built_tree.h"
 #include "judge/oracle.h"
+#include "run/poser.h"
+#include "scene/moving_nodes.h"
 #include "scene/pose.h"
 
 namespace cleave {
@@ -36,17 +38,28 @@ class Session {
         : Session(run, readScene(run, file), detail) {}
     Session(Run& run, ReadScene loaded, Detail detail = Detail::triangles);
 
-    // Poses the scene anew; what was built, uploaded or judged before was of another pose.
+    // Poses the scene anew; what was built or judged before was of another pose. From the second time on triangles that
+    // do not move stay as they are, on the device, too.
     void poseAt(double seconds);
+    // The others are posed on the device from now on, where that can be and, unless it is `always`, pays; and on the
+    // host when somebody asks for them. Not with what surfaces look like at their corners, which the host poses.
+    void mayPoseOnDevice(bool always);
+    bool isPosedOnDevice() const { return pose_ != nullptr; }
 
     const Scene& scene() const { return scene_; }
-    const PosedScene& posed() const { return posed_; }
-    const TriangleSet& set() const { return set_; }
-    // What it took to come by them: to read and check the file, and to pose what it shows.
+    const PosedScene& posed() const;
+    // The same, but of the triangles that move perhaps only the numbers, not where they are.
+    const PosedScene& posedButTriangles() const { return posed_; }
+    const TriangleSet& set() const;
+    // Of each node, whether it moves while the animations play.
+    const std::vector<bool>& movingNodes();
+    // What it took to come by them: to read and check the file, to pose what it shows, and to bring its triangles to
+    // the device, if they are there.
     double loadMilliseconds() const { return loadMs_; }
     double poseMilliseconds() const { return poseMs_; }
+    double uploadMilliseconds() const { return uploadMs_; }
     // Of the triangles with finite vertices, in world space; empty without any.
-    const Box& worldBounds() const { return bounds_; }
+    const Box& worldBounds() const;
     // The same in the rest pose, for cameras that stay where they are at all times.
     const Box& restBounds();
     // Those that are played, by number.
@@ -80,7 +93,7 @@ class Session {
     // What a view shows of surfaces; those of the scene's corners if the session was made with these. Warns of images
     // that cannot be read.
     DeviceSurfaces surfacesOnDevice(View view);
-    // Brings those of another pose to this one.
+    // Brings those of the pose before to this one; after each pose.
     void moveSurfaces(DeviceSurfaces& surfaces);
 
     // Judges up to `count` of the rays. The reference is made at the first call and serves all builders.
@@ -89,6 +102,11 @@ class Session {
   private:
     void readUnplayed() const;
     void poseScene(const PoseTime& time);
+    void poseWhatMoves(const PoseTime& time);
+    void poseOnDevice(const PoseTime& time);
+    bool preparePose();
+    void warnOfNonFinite(const TreeHeader& header);
+    void forgetPose();
     void warnOnce(const std::vector<std::string>& warnings);
     BuiltTree prepared(Builder builder);
     void buildOnDevice(BuiltTree& built, const BuildSettings& settings, std::span<const uint32_t> list);
@@ -106,13 +124,22 @@ class Session {
     Scene scene_;
     std::vector<uint32_t> animations_;
     std::set<std::string> warned_;
-    PosedScene posed_;
-    TriangleSet set_;
-    Box bounds_ = emptyBox();
+    mutable PosedScene posed_;
+    mutable std::optional<PoseTime> later_;  // of the triangles that move, where the device is ahead of posed_
+    bool isPlaying_ = false;                 // posed_ is of a time of the animations
+    bool isPosedAgain_ = false;              // nothing but what moves differs from the pose before
+    std::vector<TriangleRun> moving_;        // of a pose that plays
+    std::vector<bool> movingNodes_;          // empty: not known yet
+    // Of the pose, each made when it is first asked for.
+    mutable std::optional<TriangleSet> set_;
+    mutable std::optional<Box> bounds_;
     std::optional<Box> restBounds_;
     double loadMs_ = 0.0;
     double poseMs_ = 0.0;
+    double uploadMs_ = 0.0;
     std::unique_ptr<DeviceTriangles> onDevice_;
+    bool mayPoseOnDevice_ = false, alwaysPoseOnDevice_ = false;
+    std::unique_ptr<DevicePose> pose_;
     std::unique_ptr<Reference> reference_;
 };
 

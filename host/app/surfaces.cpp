@@ -115,13 +115,22 @@ uint32_t sidesOf(const PosedScene& posed, size_t triangle) {
     return sides | (((sides & kMirrored) != 0 ? along > 0.0 : along < 0.0) ? kNoBack : 0u);
 }
 
-SurfaceData surfacesAsPosed(const PosedScene& posed) {
+template <typename Value>
+std::vector<Value> some(const std::vector<Value>& all, size_t first, size_t count) {
+    if (all.empty()) return {};
+    return {all.begin() + ptrdiff_t(first), all.begin() + ptrdiff_t(first + count)};
+}
+
+SurfaceData surfacesAsPosed(const PosedScene& posed, const TriangleRun& run) {
     SurfaceData data;
-    data.surfaceOf = posed.materialOf;
-    for (size_t i = 0; i < posed.sides.size(); ++i) data.surfaceOf[i] |= sidesOf(posed, i);
-    data.normals = posed.corners.normals;
+    data.surfaceOf = some(posed.materialOf, run.first, run.count);
+    if (!posed.sides.empty())
+        for (size_t i = 0; i < run.count; ++i) data.surfaceOf[i] |= sidesOf(posed, run.first + i);
+    data.normals = some(posed.corners.normals, 3 * run.first, 3 * run.count);
     return data;
 }
+
+TriangleRun allOf(const PosedScene& posed) { return {0, posed.triangles.size()}; }
 
 // Makes the materials of a scene, and the maps that they need.
 class Surfaces {
@@ -137,7 +146,7 @@ class Surfaces {
           needs_(needs) {}
 
     SurfaceData run() {
-        data_ = surfacesAsPosed(posed_);
+        data_ = surfacesAsPosed(posed_, allOf(posed_));
         coloursHaveAlpha_ = std::ranges::any_of(posed_.corners.colours, [](const vec4& c) { return c.w < 1.0f; });
         std::vector<bool> used(scene_.materials.size());
         for (const uint32_t material : posed_.materialOf) used[material] = true;
@@ -256,7 +265,11 @@ ShownMaps shownMaps(View view) {
 }
 
 SurfaceData posedSurfaces(const PosedScene& posed, const Needs& needs) {
-    SurfaceData data = surfacesAsPosed(posed);
+    return posedSurfaces(posed, allOf(posed), needs);
+}
+
+SurfaceData posedSurfaces(const PosedScene& posed, const TriangleRun& run, const Needs& needs) {
+    SurfaceData data = surfacesAsPosed(posed, run);
     keepInSurfaces(needs, data);
     return data;
 }

@@ -7,6 +7,7 @@
 
 #include "app/needs.h"
 #include "render/cmd_render.h"
+#include "scene/moving_nodes.h"
 #include "scene/pose.h"
 
 namespace cleave {
@@ -29,5 +30,7 @@ SurfaceData surfacesOf(const Scene& scene, const PosedScene& posed, View view, u
 
 // Only what differs between poses of a scene; see DeviceSurfaces::move.
 SurfaceData posedSurfaces(const PosedScene& posed, const Needs& needs);
+// The same of some triangles.
+SurfaceData posedSurfaces(const PosedScene& posed, const TriangleRun& run, const Needs& needs);
 
 }  // namespace cleave

@@ -22,6 +22,11 @@ DeviceTriangles::DeviceTriangles(Device& device, std::span<const Triangle> world
     count = static_cast<uint32_t>(world.size());
 }
 
+void DeviceTriangles::move(std::span<const Triangle> world, size_t first, size_t many) {
+    const std::span<const Triangle> moved = world.subspan(first, many);
+    triangles.write(first * sizeof(Triangle), moved.data(), moved.size_bytes());
+}
+
 Geometry DeviceTriangles::geometry() const {
     Geometry g;
     g.vertices = triangles.address();

@@ -19,6 +19,8 @@ struct DeviceTriangles {
     uint32_t count = 0;
 
     DeviceTriangles(Device& device, std::span<const Triangle> world);
+    // Takes `many` of the triangles from `first` on to where `world` has them now.
+    void move(std::span<const Triangle> world, size_t first, size_t many);
     // As what a tree is built over.
     Geometry geometry() const;
 };

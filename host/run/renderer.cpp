@@ -36,6 +36,15 @@ void DeviceSurfaces::move(Device& device, const SurfaceData& posed) {
     upload(device, posed.normals, normals_, addresses_.normals);
 }
 
+void DeviceSurfaces::move(size_t first, const SurfaceData& part) {
+    const auto write = [](std::optional<Buffer>& buffer, size_t at, const auto& items) {
+        constexpr size_t kSize = sizeof(items[0]);
+        if (!items.empty()) buffer->write(at * kSize, items.data(), items.size() * kSize);
+    };
+    write(surfaceOf_, first, part.surfaceOf);
+    write(normals_, 3 * first, part.normals);
+}
+
 namespace {
 
 constexpr uint32_t kMostStamps = 512;  // four for each bounce of a path

@@ -19,6 +19,8 @@ class DeviceSurfaces {
     const SurfaceAddresses& addresses() const { return addresses_; }
     // Takes what another pose of the same scene changes: the sides of triangles, and normals.
     void move(Device& device, const SurfaceData& posed);
+    // The same of triangles from number `first` on.
+    void move(size_t first, const SurfaceData& part);
 
   private:
 #define CLEAVE_SURFACE_BUFFER(name, Element, Array, part) std::optional<Buffer> name##_;

@@ -89,14 +89,25 @@ uint64_t countMoving(const PosedScene& posed, const std::vector<bool>& movingNod
     return count;
 }
 
-std::vector<uint32_t> trianglesThat(bool move, const PosedScene& posed, const std::vector<bool>& movingNodes) {
-    std::vector<uint32_t> numbers;
+std::vector<TriangleRun> runsThat(bool move, const PosedScene& posed, const std::vector<bool>& movingNodes) {
+    std::vector<TriangleRun> runs;
     size_t first = 0;
     for (const ShownMesh& mesh : posed.meshes) {
-        if (movingNodes[mesh.node] == move)
-            for (size_t i = 0; i < mesh.triangles; ++i) numbers.push_back(static_cast<uint32_t>(first + i));
+        if (movingNodes[mesh.node] == move && mesh.triangles > 0) {
+            if (!runs.empty() && runs.back().first + runs.back().count == first)
+                runs.back().count += mesh.triangles;
+            else
+                runs.push_back({first, mesh.triangles});
+        }
         first += mesh.triangles;
     }
+    return runs;
+}
+
+std::vector<uint32_t> trianglesThat(bool move, const PosedScene& posed, const std::vector<bool>& movingNodes) {
+    std::vector<uint32_t> numbers;
+    for (const TriangleRun& run : runsThat(move, posed, movingNodes))
+        for (size_t i = 0; i < run.count; ++i) numbers.push_back(static_cast<uint32_t>(run.first + i));
     return numbers;
 }
 

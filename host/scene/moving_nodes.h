@@ -14,8 +14,16 @@ namespace cleave {
 // if times of keys do not increase.
 std::vector<bool> movingNodes(const Scene& scene, const std::vector<uint32_t>& animations);
 
-// The triangles of nodes that move, and how many there are; or of those that do not.
+// How many triangles nodes that move have, and the numbers of theirs or of the others.
 uint64_t countMoving(const PosedScene& posed, const std::vector<bool>& movingNodes);
 std::vector<uint32_t> trianglesThat(bool move, const PosedScene& posed, const std::vector<bool>& movingNodes);
+
+// Triangles whose numbers follow each other.
+struct TriangleRun {
+    size_t first = 0;
+    size_t count = 0;
+};
+// Those of nodes that move, or of the others; runs do not touch.
+std::vector<TriangleRun> runsThat(bool move, const PosedScene& posed, const std::vector<bool>& movingNodes);
 
 }  // namespace cleave

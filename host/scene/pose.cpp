@@ -2,14 +2,15 @@
 
 #include <algorithm>
 
-#include "scene/animation.h"
 #include "scene/instances.h"
 #include "scene/node_transforms.h"
 #include "scene/place_camera.h"
 #include "scene/pose_primitive.h"
+#include "scene/posed_nodes.h"
 #include "scene/shared_pose.h"
 #include "scene/skin_matrices.h"
 #include "scene/triangle_count.h"
+#include "shared/geometry.h"
 
 namespace cleave {
 namespace {
@@ -24,31 +25,41 @@ std::string nameOf(const Scene& scene, uint32_t node) {
     return "node " + std::to_string(node) + (name.empty() ? "" : " '" + name.substr(0, kLongestName) + "'");
 }
 
+bool isNotFinite(const Triangle& t) { return !isFiniteTriangle(t); }
+
+std::string nonFiniteSentence(size_t count, size_t first) {
+    return std::to_string(count) + " triangles have a vertex that is not finite, the first is number " +
+           std::to_string(first);
+}
+
 // The scene while it is posed.
 class Posing {
   public:
     // `sharing`: which meshes are kept once; null: none.
+    // `nodes`: whose meshes are posed; null: all.
     Posing(const Scene& scene, const PoseTime& time, size_t mostTriangles, Detail detail,
-           const Sharing* sharing = nullptr)
+           const Sharing* sharing = nullptr, const std::vector<bool>* nodes = nullptr)
         : scene_(scene),
           sharing_(sharing),
+          nodes_(nodes),
           detail_(detail),
           budget_{mostTriangles, kTermsPerTriangle * mostTriangles},
-          states_(restStates(scene)) {
+          placed_(poseNodes(scene, time, warnings_)) {
         posed_.name = scene.name;
-        animate(scene, time, states_, warnings_);
-        std::vector<glm::dmat4> local;
-        for (const NodeState& state : states_) local.push_back(matrixOf(state.transform));
-        toWorld_ = worldTransforms(scene, local);
         const size_t count = countTriangles(scene, mostTriangles);
-        if (sharing) return;
+        if (sharing || nodes) return;
         posed_.triangles.reserve(count);
         posed_.materialOf.reserve(count);
     }
 
     PosedScene run() {
         addNodes();
-        if (const auto warning = nonFiniteWarning(posed_.triangles)) warnings_.add(*warning);
+        if (const auto warning = nonFiniteWarning(posed_)) warnings_.add(*warning);
+        return finished();
+    }
+
+    PosedScene runPart() {
+        addNodes();
         return finished();
     }
 
@@ -70,33 +81,39 @@ class Posing {
         return std::move(posed_);
     }
 
-    size_t numbersUsed() const { return posed_.triangles.size() + placed_; }
+    size_t numbersUsed() const { return posed_.triangles.size() + inPlaces_; }
 
     void addNode(uint32_t index) {
         const gltf::Node& node = scene_.nodes[index];
         if (node.camera) addCamera(index);
         if (node.light) addLight(index);
-        if (node.mesh) {
+        if (node.mesh && (!nodes_ || (*nodes_)[index])) {
             const size_t before = numbersUsed();
             const size_t first = posed_.triangles.size();
             addMesh(index);
             posed_.meshes.push_back({index, numbersUsed() - before});
-            if (!sharing_) return;
+            if (!sharing_) return countNonFinite(posed_.meshes.back(), first);
             for (size_t i = first; i < posed_.triangles.size(); ++i)
                 shared_.numbers.push_back(uint32_t(before + i - first));
         }
     }
 
+    void countNonFinite(ShownMesh& mesh, size_t first) {
+        const std::span<const Triangle> own = std::span(posed_.triangles).subspan(first);
+        mesh.nonFinite = size_t(std::ranges::count_if(own, isNotFinite));
+        if (mesh.nonFinite > 0) mesh.firstNonFinite = size_t(std::ranges::find_if(own, isNotFinite) - own.begin());
+    }
+
     void addCamera(uint32_t index) {
         const gltf::Node& node = scene_.nodes[index];
-        if (const auto camera = placeCamera(scene_.cameras[*node.camera], node.name, toWorld_[index]))
+        if (const auto camera = placeCamera(scene_.cameras[*node.camera], node.name, placed_.toWorld[index]))
             posed_.cameras.push_back(*camera);
         else
             warnings_.add(nameOf(scene_, index) + " has a camera that shows no picture; it is ignored");
     }
 
     void addLight(uint32_t index) {
-        if (const auto light = placeLight(scene_, *scene_.nodes[index].light, toWorld_[index]))
+        if (const auto light = placeLight(scene_, *scene_.nodes[index].light, placed_.toWorld[index]))
             posed_.lights.push_back(*light);
         else
             warnings_.add(nameOf(scene_, index) + " has a light that is nowhere, or has no direction; it is ignored");
@@ -110,7 +127,7 @@ class Posing {
                           (node.skin ? "also a skin" : "their data is in a buffer that has no URI"));
         // A skinned mesh is where its joints are; its node's own transform does not count.
         const bool hasSkin = node.skin && isPlacedBySkin(*node.skin, name);
-        const Deformation deformation{&states_[index].weights, hasSkin ? &skins_.of(*node.skin) : nullptr};
+        const Deformation deformation{&placed_.states[index].weights, hasSkin ? &skins_.of(*node.skin) : nullptr};
         const InstanceTransforms instances(scene_, node);
         MeshPosing posing{scene_, deformation, instances.count(), detail_, budget_, posed_.leftOut, warnings_};
         const bool isShared = sharing_ && sharing_->meshes[*node.mesh] && !node.skin;
@@ -121,10 +138,11 @@ class Posing {
             if (primitive && (isShared || hasInstances(scene_, node)))
                 primitives.push_back(std::move(*primitive));
             else if (primitive)
-                primitive->appendTo(posed_, toWorld_[index]);
+                primitive->appendTo(posed_, placed_.toWorld[index]);
         }
         for (size_t i = 0; i < instances.count() && !primitives.empty(); ++i) {
-            const glm::dmat4 toWorld = hasInstances(scene_, node) ? toWorld_[index] * instances[i] : toWorld_[index];
+            const glm::dmat4 toWorld =
+                hasInstances(scene_, node) ? placed_.toWorld[index] * instances[i] : placed_.toWorld[index];
             if (isShared)
                 place(*node.mesh, primitives, toWorld);
             else
@@ -145,7 +163,7 @@ class Posing {
     void place(uint32_t mesh, const std::vector<PosablePrimitive>& primitives, const glm::dmat4& toWorld) {
         const uint32_t kept = keptOnce(mesh, primitives);
         shared_.places.push_back({kept, uint32_t(numbersUsed()), toWorld});
-        placed_ += shared_.meshes[kept].triangles.size();
+        inPlaces_ += shared_.meshes[kept].triangles.size();
     }
 
     bool isPlacedBySkin(uint32_t skin, const std::string& name) {
@@ -158,31 +176,46 @@ class Posing {
 
     const Scene& scene_;
     const Sharing* sharing_;
+    const std::vector<bool>* nodes_;
     Detail detail_;
     Budget budget_;
     Warnings warnings_;
-    std::vector<NodeState> states_;
-    std::vector<glm::dmat4> toWorld_;
-    SkinMatrices skins_{scene_, toWorld_};
+    PosedNodes placed_;
+    SkinMatrices skins_{scene_, placed_.toWorld};
     PosedScene posed_;
     SharedPose shared_;
     std::map<uint32_t, uint32_t> kept_;  // mesh -> its index in shared_
-    size_t placed_ = 0;                  // triangles of places
+    size_t inPlaces_ = 0;                // triangles of places
 };
 
 }  // namespace
 
 std::optional<std::string> nonFiniteWarning(std::span<const Triangle> triangles, std::span<const uint32_t> numbers) {
-    auto isBad = [](const Triangle& t) { return !isFinite3(t.a) || !isFinite3(t.b) || !isFinite3(t.c); };
-    const auto bad = std::count_if(triangles.begin(), triangles.end(), isBad);
+    const auto bad = std::ranges::count_if(triangles, isNotFinite);
     if (bad == 0) return std::nullopt;
-    const auto first = size_t(std::find_if(triangles.begin(), triangles.end(), isBad) - triangles.begin());
-    return std::to_string(bad) + " triangles have a vertex that is not finite, the first is number " +
-           std::to_string(numbers.empty() ? first : numbers[first]);
+    const auto first = size_t(std::ranges::find_if(triangles, isNotFinite) - triangles.begin());
+    return nonFiniteSentence(size_t(bad), numbers.empty() ? first : numbers[first]);
+}
+
+std::optional<std::string> nonFiniteWarning(const PosedScene& posed) {
+    size_t count = 0, first = 0, next = 0;
+    for (const ShownMesh& mesh : posed.meshes) {
+        if (count == 0 && mesh.nonFinite > 0) first = next + mesh.firstNonFinite;
+        count += mesh.nonFinite;
+        next += mesh.triangles;
+    }
+    if (count == 0) return std::nullopt;
+    return nonFiniteSentence(count, first);
 }
 
 PosedScene pose(const Scene& scene, const PoseTime& time, size_t mostTriangles, Detail detail) {
     return naming("cannot pose '" + scene.name + "'", [&] { return Posing(scene, time, mostTriangles, detail).run(); });
+}
+
+PosedScene posePart(const Scene& scene, const PoseTime& time, const std::vector<bool>& nodes, size_t mostTriangles,
+                    Detail detail) {
+    return naming("cannot pose '" + scene.name + "'",
+                  [&] { return Posing(scene, time, mostTriangles, detail, nullptr, &nodes).runPart(); });
 }
 
 SharedPose poseShared(const Scene& scene, const PoseTime& time, const Sharing& sharing, size_t mostTriangles) {

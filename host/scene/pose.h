@@ -32,7 +32,9 @@ struct CornerAttributes {
 // The mesh of a node, as it is shown.
 struct ShownMesh {
     uint32_t node = 0;
-    size_t triangles = 0;  // of all its primitives and instances; their numbers follow each other
+    size_t triangles = 0;       // of all its primitives and instances; their numbers follow each other
+    size_t nonFinite = 0;       // of them, those with a vertex that is not finite; not counted where meshes are shared
+    size_t firstNonFinite = 0;  // the first of these, counted from the mesh's first
 };
 
 struct PosedScene {
@@ -68,5 +70,13 @@ std::vector<uint32_t> allAnimations(const Scene& scene);
 // cannot be trusted, or if there are more than `mostTriangles`.
 PosedScene pose(const Scene& scene, const PoseTime& time = {}, size_t mostTriangles = kMostTriangles,
                 Detail detail = Detail::triangles);
+
+// Poses of the meshes those of some nodes alone, their triangles numbered as if there were no others. Cameras and
+// lights are the scene's. Of triangles that are not finite it does not warn.
+PosedScene posePart(const Scene& scene, const PoseTime& time, const std::vector<bool>& nodes,
+                    size_t mostTriangles = kMostTriangles, Detail detail = Detail::triangles);
+
+// The warning of triangles that have a vertex that is not finite; none if there is none.
+std::optional<std::string> nonFiniteWarning(const PosedScene& posed);
 
 }  // namespace cleave

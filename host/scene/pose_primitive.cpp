@@ -28,13 +28,19 @@ void PosablePrimitive::appendTo(PosedScene& posed, const glm::dmat4& toWorld) co
         }
     };
     // Vertices that triangles share are placed once, unless there are more of them than corners: they are not in memory
-    // then, and a file may announce any number.
-    if (vertices_.count() <= 3 * count_ && !vertices_.hasJoints()) {
+    // then, and a file may announce any number. One that no triangle uses may have a joint that is not there.
+    if (vertices_.count() > 3 * count_) {
+        appendTriangles([&](size_t i) { return vertices_.at(i, toWorld); });
+    } else if (vertices_.hasJoints()) {
+        std::vector<std::optional<vec3>> placed(vertices_.count());
+        appendTriangles([&](size_t i) {
+            if (!placed[i]) placed[i] = vertices_.at(i, toWorld);
+            return *placed[i];
+        });
+    } else {
         std::vector<vec3> placed(vertices_.count());
         for (size_t i = 0; i < placed.size(); ++i) placed[i] = vertices_.at(i, toWorld);
         appendTriangles([&](size_t i) { return placed[i]; });
-    } else {
-        appendTriangles([&](size_t i) { return vertices_.at(i, toWorld); });
     }
     posed.materialOf.insert(posed.materialOf.end(), count_, material_);
     if (!surface_) return;

@@ -8,24 +8,6 @@
 namespace cleave {
 namespace {
 
-struct JointAccessors {
-    uint32_t joints;
-    uint32_t weights;
-};
-
-// Pairs JOINTS_0 and WEIGHTS_0, JOINTS_1 and WEIGHTS_1, ...
-std::vector<JointAccessors> jointSets(const gltf::Primitive& primitive, const Deformation& deformation) {
-    std::vector<JointAccessors> sets;
-    while (deformation.joints != nullptr) {
-        const std::string set = std::to_string(sets.size());
-        const gltf::Index joints = attributeOf(primitive.attributes, "JOINTS_" + set);
-        const gltf::Index weights = attributeOf(primitive.attributes, "WEIGHTS_" + set);
-        if (!joints || !weights) break;
-        sets.push_back({*joints, *weights});
-    }
-    return sets;
-}
-
 // Transforms a point in double; this is the only place where positions are rounded to float.
 vec3 transformed(const glm::dmat4& m, const glm::dvec3& p) {
     const auto row = [&](int i) { return float(transformedBy(m[0][i], m[1][i], m[2][i], m[3][i], p)); };
@@ -34,11 +16,23 @@ vec3 transformed(const glm::dmat4& m, const glm::dvec3& p) {
 
 }  // namespace
 
+std::vector<JointAccessors> jointSets(const gltf::Primitive& primitive) {
+    std::vector<JointAccessors> sets;
+    while (true) {
+        const std::string set = std::to_string(sets.size());
+        const gltf::Index joints = attributeOf(primitive.attributes, "JOINTS_" + set);
+        const gltf::Index weights = attributeOf(primitive.attributes, "WEIGHTS_" + set);
+        if (!joints || !weights) return sets;
+        sets.push_back({*joints, *weights});
+    }
+}
+
 std::vector<uint32_t> accessorsOf(const gltf::Primitive& primitive, const Deformation& deformation) {
     std::vector<uint32_t> accessors{primitive.attributes.at("POSITION")};
     for (const MorphTarget& target : movingTargets(primitive, deformation, "POSITION"))
         accessors.push_back(target.deltas);
-    for (const JointAccessors& set : jointSets(primitive, deformation)) {
+    if (deformation.joints == nullptr) return accessors;
+    for (const JointAccessors& set : jointSets(primitive)) {
         accessors.push_back(set.joints);
         accessors.push_back(set.weights);
     }
@@ -50,7 +44,8 @@ PosedVertices::PosedVertices(const Scene& scene, const gltf::Primitive& primitiv
     : matrices_(deformation.joints), where_(where), positions_(scene, primitive.attributes.at("POSITION")) {
     for (const MorphTarget& target : movingTargets(primitive, deformation, "POSITION"))
         targets_.push_back({AccessorValues(scene, target.deltas), target.weight});
-    for (const JointAccessors& set : jointSets(primitive, deformation))
+    if (matrices_ == nullptr) return;
+    for (const JointAccessors& set : jointSets(primitive))
         joints_.push_back({AccessorIntegers(scene, set.joints), AccessorValues(scene, set.weights)});
 }
 

@@ -42,6 +42,13 @@ class PosedVertices {
     std::vector<JointSet> joints_;  // none: placed by the node
 };
 
+// JOINTS_0 and WEIGHTS_0, JOINTS_1 and WEIGHTS_1, ...
+struct JointAccessors {
+    uint32_t joints = 0;
+    uint32_t weights = 0;
+};
+std::vector<JointAccessors> jointSets(const gltf::Primitive& primitive);
+
 // Returns the accessors that a deformation needs of a primitive, beside its indices.
 std::vector<uint32_t> accessorsOf(const gltf::Primitive& primitive, const Deformation& deformation);
 

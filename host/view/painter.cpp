@@ -8,6 +8,7 @@
 
 #include "app/device_kit.h"
 #include "app/lighting.h"
+#include "app/surfaces.h"
 #include "base/error.h"
 #include "base/stopwatch.h"
 #include "figures/legend.h"
@@ -75,21 +76,34 @@ struct Painter::Easel {
 
     void upload(const std::shared_ptr<const Staged>& staged) {
         if (there == staged) return;
-        Device& device = kit.device();
-        const bool moved = !there || there->geometry != staged->geometry;
-        if (moved) {
-            triangles.reset();
-            triangles = std::make_unique<DeviceTriangles>(device, staged->geometry->posed.triangles);
-        }
+        uploadTriangles(*staged);
         uploadTrees(*staged);
-        if (!there || there->surfaces != staged->surfaces) {
-            surfaces.reset();
-            surfaces = std::make_unique<DeviceSurfaces>(device, *staged->surfaces);
-            surfaces->move(device, staged->geometry->moved);
-        } else if (moved) {
-            surfaces->move(device, staged->geometry->moved);
-        }
         there = staged;
+    }
+
+    // Where only what moves differs from what is there, nothing else is sent.
+    void uploadTriangles(const Staged& staged) {
+        Device& device = kit.device();
+        const StagedPose& pose = *staged.geometry;
+        const bool isThere = there && there->geometry == staged.geometry;
+        const bool staysPut = triangles && there && there->geometry->still == pose.still;
+        if (!staysPut) {
+            triangles.reset();
+            triangles = std::make_unique<DeviceTriangles>(device, pose.posed.triangles);
+        } else if (!isThere) {
+            for (const TriangleRun& run : pose.moving) triangles->move(pose.posed.triangles, run.first, run.count);
+        }
+        const bool isNew = !surfaces || !there || there->surfaces != staged.surfaces;
+        if (isNew) {
+            surfaces.reset();
+            surfaces = std::make_unique<DeviceSurfaces>(device, *staged.surfaces);
+        }
+        if (isNew || !staysPut) {
+            surfaces->move(device, posedSurfaces(pose.posed, Needs()));
+        } else if (!isThere) {
+            for (const TriangleRun& run : pose.moving)
+                surfaces->move(run.first, posedSurfaces(pose.posed, run, Needs()));
+        }
     }
 
     // Those that are there stay.
@@ -236,7 +250,8 @@ struct Painter::Easel {
         if (!reference || referenceOf != wish.staged->geometry) {
             reference.reset();
             referenceOf = wish.staged->geometry;
-            reference = std::make_unique<Reference>(referenceOf->posed.triangles, referenceOf->set->included);
+            reference = std::make_unique<Reference>(referenceOf->posed.triangles,
+                                                    makeTriangleSet(referenceOf->posed.triangles).included);
         }
         const uint32_t width = std::min(kMostCompared, std::max(1u, wish.width / 2));
         const uint32_t height = std::max(1u, static_cast<uint32_t>(uint64_t{width} * 2 * wish.height / wish.width));

@@ -14,6 +14,7 @@
 #include "run/device_builders.h"
 #include "scene/animation.h"
 #include "scene/moving_nodes.h"
+#include "scene/pose_again.h"
 #include "view/give_way.h"
 
 namespace cleave {
@@ -45,6 +46,7 @@ struct Stage::Workshop {
     Stage& stage;
     DeviceKit kit;
     Needs needs;                                   // nothing is kept that a scene does not need
+    uint64_t wholePoses = 0;                       // so far
     std::shared_ptr<const StagedPose> uploadedOf;  // whose triangles are on the device
     std::unique_ptr<DeviceTriangles> triangles;
 
@@ -63,16 +65,23 @@ struct Stage::Workshop {
         return loaded;
     }
 
-    std::shared_ptr<const StagedPose> poseScene(const LoadedScene& loaded, const std::optional<double>& time) {
+    // `before`: what is staged, of the same scene; null: nothing.
+    std::shared_ptr<const StagedPose> poseScene(const LoadedScene& loaded, const std::optional<double>& time,
+                                                const Staged* before) {
         stage.setPhase("posing");
         auto made = std::make_shared<StagedPose>();
         const Stopwatch watch;
-        PoseTime at;
-        if (time) at = {*time, loaded.animations};
-        made->posed = pose(loaded.scene, at, kMostTriangles, Detail::corners);
+        const PoseTime at = time ? PoseTime{*time, loaded.animations} : PoseTime{};
+        const bool plays = time && before && before->time;
+        if (plays) made->posed = before->geometry->posed;
+        if (plays && poseAgain(made->posed, loaded.scene, at, loaded.movingNodes, Detail::corners)) {
+            made->still = before->geometry->still;
+        } else {
+            if (!plays) made->posed = pose(loaded.scene, at, kMostTriangles, Detail::corners);
+            made->still = ++wholePoses;
+        }
         made->poseMs = watch.milliseconds();
-        made->set = std::make_shared<TriangleSet>(makeTriangleSet(made->posed.triangles));
-        made->moved = posedSurfaces(made->posed, needs);
+        made->moving = runsThat(true, made->posed, loaded.movingNodes);
         made->lighting = lightingOf(loaded.scene, made->posed);
         made->bounds = finiteBounds(made->posed.triangles);
         made->movingTriangles = countMoving(made->posed, loaded.movingNodes);
@@ -117,10 +126,9 @@ struct Stage::Workshop {
 
     StagedTree built(const Staged& next, const StageWish& wish, std::shared_ptr<const std::vector<uint32_t>> list) {
         StagedTree made;
-        made.set = next.geometry->set;
-        if (list)
-            made.set =
-                std::make_shared<TriangleSet>(makeTriangleSet(trianglesOf(next.geometry->posed.triangles, *list)));
+        const std::vector<Triangle>& all = next.geometry->posed.triangles;
+        made.set =
+            std::make_shared<TriangleSet>(list ? makeTriangleSet(trianglesOf(all, *list)) : makeTriangleSet(all));
         if (isOnDevice(wish.builder.name)) {
             const std::span<const uint32_t> numbers = list ? std::span(*list) : std::span<const uint32_t>();
             const BuildSettings settings = settingsFor(wish.builder.name, wish.settings);
@@ -144,9 +152,15 @@ struct Stage::Workshop {
     }
 
     const DeviceTriangles& onDevice(const std::shared_ptr<const StagedPose>& geometry) {
-        if (uploadedOf == geometry && triangles) return *triangles;
-        triangles.reset();
-        triangles = std::make_unique<DeviceTriangles>(kit.device(), geometry->posed.triangles);
+        if (uploadedOf == geometry) return *triangles;
+        const std::vector<Triangle>& world = geometry->posed.triangles;
+        if (uploadedOf && uploadedOf->still == geometry->still) {
+            for (const TriangleRun& run : geometry->moving) triangles->move(world, run.first, run.count);
+        } else {
+            uploadedOf.reset();
+            triangles.reset();
+            triangles = std::make_unique<DeviceTriangles>(kit.device(), world);
+        }
         uploadedOf = geometry;
         return *triangles;
     }
@@ -161,14 +175,14 @@ struct Stage::Workshop {
             next->passes = kit.builder().profile(onDevice(shown->geometry), settings).passes;
             stage.publish(next);
         }
-        if (shown->geometry->set->included.size() > kMostToCompare || stage.isAskedForMore()) return;
+        if (shown->trees.front().set->included.size() > kMostToCompare || stage.isAskedForMore()) return;
         next = std::make_shared<Staged>(*next);
         next->exactCost = shown->trees.front().statistics.sahCost;
         if (!(shown->builder == Builder::exact)) {
             stage.setPhase("building the exact tree, to compare with");
             BuildSettings alone = shown->settings;
             alone.threads = 1;  // the picture needs the others
-            const BuildOutcome exact = hostBuilder(Builder::exact.name).build(*shown->geometry->set, alone);
+            const BuildOutcome exact = hostBuilder(Builder::exact.name).build(*shown->trees.front().set, alone);
             next->exactCost = computeStatistics(exact.tree, alone.costs).sahCost;
         }
         stage.publish(next);
@@ -187,7 +201,7 @@ struct Stage::Workshop {
         std::shared_ptr<LoadedScene> loaded;
         if (loads) next->scene = loaded = load(wish);
         next->time = wish.time;
-        if (poses) next->geometry = poseScene(*next->scene, wish.time);
+        if (poses) next->geometry = poseScene(*next->scene, wish.time, loads ? nullptr : before.get());
         if (loads) {
             loaded->restBounds = wish.time ? finiteBounds(pose(loaded->scene).triangles) : next->geometry->bounds;
             next->warnings = loaded->scene.warnings;

@@ -13,6 +13,7 @@
 
 #include "figures/built_tree.h"
 #include "run/renderer.h"
+#include "scene/moving_nodes.h"
 #include "scene/pose.h"
 
 namespace cleave {
@@ -46,8 +47,8 @@ struct LoadedScene {
 // Its triangles at a time.
 struct StagedPose {
     PosedScene posed;
-    std::shared_ptr<const TriangleSet> set;
-    SurfaceData moved;  // what of the surfaces is this pose's
+    uint64_t still = 0;               // poses with the same number differ in what moves alone
+    std::vector<TriangleRun> moving;  // which triangles that is
     Lighting lighting;
     Box bounds = emptyBox();
     uint64_t movingTriangles = 0;

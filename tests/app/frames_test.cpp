@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -226,6 +227,122 @@ TEST_F(Frames, AreTheSameWithATreeForWhatMoves) {
                   .status,
               0);
     EXPECT_EQ(reportOf("j")["build"]["trees"], 1) << "nothing moves";
+}
+
+// From the second frame on only what moves is posed and uploaded; with views that show what corners have, too.
+TEST_F(Frames, ShowWhatTheirTimeShowsAfterOthers) {
+    for (const char* view : {"depth", "normals", "shaded", "path"})
+        for (const char* name : {"animation", "morph_target", "skin"}) {
+            ASSERT_EQ(render({feature(name), "-o", at("f.png"), "--frames", "1:4", "--fps", "3", "--view", view,
+                              "--split-moving", "on", "--quiet"})
+                          .status,
+                      0);
+            EXPECT_EQ(contentOf(folder_ / "f_0003.png"), picture(feature(name), {"--time", "1", "--view", view}))
+                << name << ", " << view;
+        }
+}
+
+// A sheet of 2 x 40 x 40 triangles between two joints, above a triangle that stays. Joint 2 goes up, and then so far
+// that floats do not reach.
+Document sheet() {
+    constexpr uint16_t kSide = 40;
+    Floats positions, weights;
+    std::vector<uint8_t> joints;
+    std::vector<uint16_t> indices;
+    for (uint16_t y = 0; y <= kSide; ++y)
+        for (uint16_t x = 0; x <= kSide; ++x) {
+            const float u = float(x) / kSide, v = float(y) / kSide;
+            positions.insert(positions.end(), {u, 0.1f * std::sin(7 * u), v});
+            weights.insert(weights.end(), {1 - u, 0.7f * u, 0, 0});
+            joints.insert(joints.end(), {0, 1, 0, 0});
+            const auto i = static_cast<uint16_t>(y * (kSide + 1) + x), below = static_cast<uint16_t>(i + kSide + 1);
+            if (x == kSide || y == kSide) continue;
+            for (const int index : {int{i}, int{below}, i + 1, i + 1, int{below}, below + 1})
+                indices.push_back(static_cast<uint16_t>(index));
+        }
+    Document document;
+    document.addMesh(document.addPositions(positions), document.addIndices(indices));
+    document.addMesh(document.addPositions({-1, -1, -1, 2, -1, -1, 0, -1, 3}));
+    const size_t count = positions.size() / 3;
+    document.primitive()["attributes"]["JOINTS_0"] =
+        document.addAccessor(document.addView(bytesOf(joints)), 5121, count, "VEC4");
+    document.primitive()["attributes"]["WEIGHTS_0"] =
+        document.addAccessor(document.addView(bytesOf(weights)), 5126, count, "VEC4");
+    document.json["skins"] = {{{"joints", {2, 3}}}};
+    document.node()["skin"] = 0;
+    document.json["nodes"].push_back(Json::object());
+    document.json["nodes"].push_back({{"scale", {1e-30, 1e-30, 1e-30}}});
+    document.json["nodes"].push_back({{"scale", {1e30, 1e30, 1e30}}, {"children", {3}}});
+    document.json["scenes"][0]["nodes"] = {1, 0, 2, 4};
+    const Floats places{0, 0, 0, 0, 4e-31f, 0, 0, 1e20f, 0, 2e-31f, 0, 0, 0, 1e-30f, 0};
+    return Animated(document).add("translation", "STEP", {0, 1, 2, 3, 4}, places, 3).document();
+}
+
+// Nobody sees whether the device poses: not in pictures, nor in what is judged or warned of.
+TEST_F(Frames, AreTheSameWhereTheDevicePoses) {
+    const std::string file = scene("sheet.gltf", sheet());
+    for (const char* view : {"depth", "shaded"}) {
+        const std::vector<std::string> looks{"--eye", "2,2,3", "--look", "0.5,0,0.5", "--view", view};
+        std::vector<std::string> alone;
+        for (const char* second : {"0", "1", "2", "3", "4"}) {
+            std::vector<std::string> arguments{"--time", second};
+            arguments.insert(arguments.end(), looks.begin(), looks.end());
+            alone.push_back(picture(file, arguments));
+        }
+        EXPECT_NE(alone[1], alone[3]);
+        for (const char* split : {"on", "off"}) {
+            std::vector<std::string> arguments{file,    "-o",      at("f.png"),     "--frames", "0:4",
+                                               "--fps", "1",       "--device-pose", "on",       "--split-moving",
+                                               split,   "--check", "300",           "--json",   at("j")};
+            arguments.insert(arguments.end(), looks.begin(), looks.end());
+            const Outcome outcome = render(arguments);
+            ASSERT_EQ(outcome.status, 0) << outcome.err;
+            EXPECT_NE(outcome.err.find("triangles have a vertex that is not finite, the first is number 1"),
+                      std::string::npos)
+                << outcome.err;
+            const Json frames = reportOf("j")["frames"];
+            for (size_t i = 0; i < 5; ++i) {
+                EXPECT_EQ(frames[i]["posedBy"], view == std::string("depth") && i > 0 ? "device" : "host");
+                EXPECT_EQ(frames[i]["check"]["mismatches"], 0);
+                EXPECT_EQ(contentOf(folder_ / ("f_000" + std::to_string(i) + ".png")), alone[i])
+                    << view << ", frame " << i << ", split " << split;
+            }
+        }
+    }
+}
+
+// A target whose data is nowhere leaves its primitive out as long as it has a weight. What it leaves, and whose numbers
+// are others then, is seen all the same.
+TEST_F(Frames, FollowWhatTheFileLacksAtTheirTime) {
+    Document document = morphDocument();
+    const int nowhere = document.addPositions({0, 0, 1, 0, 0, 1, 0, 0, 1});
+    document.primitive()["targets"][1]["POSITION"] = nowhere;
+    const int turned = document.addPositions({0, 0, 0, 2, 0, 0, 0, 0, 2});
+    document.addMesh(turned);
+    document.addMesh(turned);
+    document.json["nodes"][2]["translation"] = {0, -1, 0};
+    document.json["scenes"][0]["nodes"] = {0, 1, 2};
+    Animated animated = Animated(document).add("weights", "STEP", {0, 1, 2}, {0.5f, 0, 0.5f, 1, 0.25f, 0});
+    animated.add("translation", "LINEAR", {0, 3}, {0, 0, 0, 0, 1, 1}, 1);
+    Json& json = animated.document().json;
+    const std::string& data = animated.document().data;
+    json["buffers"] = {{{"byteLength", data.size()}, {"uri", "data:application/octet-stream;base64," + base64(data)}},
+                       {{"byteLength", data.size()}}};
+    json["bufferViews"][size_t(json["accessors"][size_t(nowhere)]["bufferView"])]["buffer"] = 1;
+    const std::string file = scene("lacking.gltf", animated.document());
+    for (const char* view : {"depth", "shaded"}) {
+        const Outcome outcome = render({file, "-o", at("f.png"), "--frames", "0:2", "--fps", "1", "--view", view,
+                                        "--split-moving", "on", "--json", at("j"), "--check", "200"});
+        ASSERT_EQ(outcome.status, 0) << outcome.err;
+        EXPECT_NE(outcome.err.find("is left out"), std::string::npos) << outcome.err;
+        EXPECT_EQ(reportOf("j")["frames"][0]["movingTriangles"], 2);
+        EXPECT_EQ(reportOf("j")["frames"][1]["movingTriangles"], 1);
+        EXPECT_EQ(reportOf("j")["frames"][2]["movingTriangles"], 2);
+        for (const char* second : {"0", "1", "2"})
+            EXPECT_EQ(contentOf(folder_ / (std::string("f_000") + second + ".png")),
+                      picture(file, {"--time", second, "--view", view}))
+                << view << " at " << second;
+    }
 }
 
 // By itself where building counts for more than rays: a picture of a few pixels, not one of many.

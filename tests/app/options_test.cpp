@@ -304,6 +304,14 @@ TEST(Options, Frames) {
         EXPECT_EQ(refusal({"render", "-o", "d/f.png", "--frames", "0:1", "--fps", "1", "--json", json}), "") << json;
 }
 
+TEST(Options, DevicePoseIsAChoiceOfFrames) {
+    EXPECT_EQ(parse({"render"}).devicePose, Choice::automatic);
+    EXPECT_EQ(parse({"render", "--frames", "0:1", "--fps", "2", "--device-pose", "on"}).devicePose, Choice::on);
+    EXPECT_EQ(parse({"render", "--frames", "0:1", "--fps", "2", "--device-pose", "off"}).devicePose, Choice::off);
+    expectRefused({"render", "--frames", "0:1", "--fps", "2", "--device-pose", "maybe"}, "auto, on, off");
+    expectRefused({"render", "--device-pose", "on"}, "--frames");
+}
+
 TEST(Options, SplitMovingIsAChoice) {
     EXPECT_EQ(parse({"render"}).splitMoving, Choice::automatic);
     EXPECT_EQ(parse({"render", "--split-moving", "off"}).splitMoving, Choice::off);

@@ -62,6 +62,7 @@ class Animated {
         ++animation_;
         return *this;
     }
+    Scene scene() const { return sceneOf(document_); }
     PosedScene at(double seconds, const std::vector<uint32_t>& animations = {0}) const {
         return pose(sceneOf(document_), {seconds, animations});
     }

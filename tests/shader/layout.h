@@ -6,6 +6,7 @@
 #include "shared/peer_trace.h"
 #include "shared/picture_args.h"
 #include "shared/placed_mesh.h"
+#include "shared/pose.h"
 #include "shared/query.h"
 #include "shared/trace.h"
 
@@ -48,6 +49,11 @@ struct LayoutRecord {
     PlacedMesh placed;
     PlaceNode placeNode;
     PlacedScene placedScene;
+    PosePart posePart;
+    PoseMorph poseMorph;
+    PoseInfluence influence;
+    AffineMap affineMap;
+    PosePush posePush;
 };
 
 // The fields of the structs that were added last, in their order: what both sides walk, counting up from kFirstListed.
@@ -116,7 +122,20 @@ struct LayoutRecord {
     ADDRESS(placed.tree, Tree) UINT(placed.first) INT(placed.shift) UINT(placed.isWorld) UINT(placed.reserved)   \
     FLOAT(placeNode.box.hi.x) UINT(placeNode.axis) UINT(placeNode.reserved)                                      \
     ADDRESS(placedScene.nodes, PlaceNodeArray) ADDRESS(placedScene.meshes, PlacedMeshArray)                      \
-    UINT(placedScene.count) INT(placedScene.exponent)
+    UINT(placedScene.count) INT(placedScene.exponent)                                                            \
+    UINT(posePart.firstPosed) UINT(posePart.firstVertex) UINT(posePart.firstMorph) UINT(posePart.morphCount)     \
+    UINT(posePart.firstWeight) UINT(posePart.firstInfluence) UINT(posePart.influenceCount)                       \
+    UINT(posePart.firstJoint) UINT(posePart.map) UINT(posePart.reserved)                                         \
+    UINT(poseMorph.weight) UINT(poseMorph.firstDelta)                                                            \
+    DOUBLE(influence.weight) UINT(influence.joint) UINT(influence.reserved)                                      \
+    DOUBLE(affineMap.x.x) DOUBLE(affineMap.y.y) DOUBLE(affineMap.z.z) DOUBLE(affineMap.origin.z)                 \
+    ADDRESS(posePush.parts, PosePartArray) ADDRESS(posePush.positions, PosePointArray)                           \
+    ADDRESS(posePush.morphs, PoseMorphArray) ADDRESS(posePush.deltas, PosePointArray)                            \
+    ADDRESS(posePush.influences, PoseInfluenceArray) ADDRESS(posePush.maps, AffineMapArray)                      \
+    ADDRESS(posePush.weights, PoseWeightArray) ADDRESS(posePush.posed, PoseWordArray)                            \
+    ADDRESS(posePush.corners, PoseWordArray) ADDRESS(posePush.numbers, PoseWordArray)                            \
+    ADDRESS(posePush.triangles, PoseWordArray)                                                                   \
+    UINT(posePush.partCount) UINT(posePush.vertexCount) UINT(posePush.triangleCount) UINT(posePush.reserved)
 
 // clang-format on
 

@@ -12,11 +12,11 @@ namespace {
 using namespace std::chrono_literals;
 
 // The stage and the painter without a window.
-class OnStage : public testing::Test {
-  protected:
+class Show {
+  public:
     StageWish wish;
 
-    OnStage() { wish.file = CLEAVE_SOURCE "/scenes/features/animation.glb"; }
+    Show() { wish.file = CLEAVE_SOURCE "/scenes/features/animation.glb"; }
 
     std::shared_ptr<const Staged> staged(double time, bool plays) {
         wish.number++;
@@ -29,10 +29,11 @@ class OnStage : public testing::Test {
         return stage_.latest();
     }
 
-    std::vector<uint32_t> painted(const std::shared_ptr<const Staged>& staged) {
+    std::vector<uint32_t> painted(const std::shared_ptr<const Staged>& staged, View view = View::shaded) {
         PaintWish paint;
         paint.number = ++paints_;
         paint.staged = staged;
+        paint.view = view;
         paint.camera = staged->geometry->posed.cameras.front();
         paint.width = 96;
         paint.height = 64;
@@ -53,6 +54,8 @@ class OnStage : public testing::Test {
     uint64_t paints_ = 0;
 };
 
+class OnStage : public testing::Test, public Show {};
+
 TEST_F(OnStage, WhatMovesHasATreeOfItsOwnWhileItPlays) {
     for (const Builder builder : {Builder::exact, Builder::gpu}) {
         wish.builder = builder;
@@ -71,6 +74,25 @@ TEST_F(OnStage, WhatMovesHasATreeOfItsOwnWhileItPlays) {
         EXPECT_FALSE(paused->trees[0].list);
         EXPECT_EQ(painted(paused), playing);
         EXPECT_EQ(painted(staged(0.25, false)), before);
+    }
+}
+
+// What moves is posed and sent alone; a show that begins at a time has posed all of it.
+TEST_F(OnStage, WhatStaysIsPosedOnce) {
+    for (const char* name : {"animation", "morph_target", "skin"}) {
+        wish.file = std::string(CLEAVE_SOURCE "/scenes/features/") + name + ".glb";
+        std::vector<std::shared_ptr<const Staged>> staging;
+        for (const double time : {0.25, 0.75, 1.1}) staging.push_back(staged(time, true));
+        EXPECT_EQ(staging[1]->geometry->still, staging[0]->geometry->still) << name;
+        EXPECT_EQ(staging[2]->geometry->still, staging[0]->geometry->still) << name;
+        Show another;
+        another.wish.file = wish.file;
+        const auto alone = another.staged(1.1, false);
+        for (const View view : {View::shaded, View::depth}) {
+            painted(staging[0], view);
+            EXPECT_EQ(painted(staging[2], view), another.painted(alone, view)) << name;
+            EXPECT_NE(painted(staging[1], view), another.painted(alone, view)) << name;
+        }
     }
 }
 
