@@ -47,8 +47,8 @@ struct LoadedScene {
 // Its triangles at a time.
 struct StagedPose {
     PosedScene posed;
-    uint64_t still = 0;               // poses with the same number differ in what moves alone
-    std::vector<TriangleRun> moving;  // which triangles that is
+    std::shared_ptr<const char> still;  // poses that share it differ in what moves alone; it says nothing itself
+    std::vector<TriangleRun> moving;    // which triangles that is
     Lighting lighting;
     Box bounds = emptyBox();
     uint64_t movingTriangles = 0;

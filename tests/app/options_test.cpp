@@ -329,7 +329,7 @@ TEST(FrameFiles, HaveFourDigitsOrMore) {
 }
 
 TEST(Options, OptionsOfLaterAreNotTakenYet) {
-    for (const char* option : {"--lazy", "--aperture"}) {
+    for (const char* option : {"--shutter", "--aperture"}) {
         expectRefused({"render", option, "4"}, option);
         expectRefused({"render", option, "4"}, "--size");
     }

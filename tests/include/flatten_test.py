@@ -165,7 +165,7 @@ class Generated(unittest.TestCase):
             outside += c if depth == 0 else " "
             depth -= c in ")}"
         keywords = {"struct", "const", "layout", "buffer", "bool", "int", "uint", "float", "double", "void", "vec3",
-                    "dvec3", "false", "require"}
+                    "dvec3", "false", "true", "require"}
         lines = [line for line in outside.split("\n") if not line.startswith("#extension")]
         words = set(re.findall(r"(?<![\w.])[A-Za-z_]\w*", "\n".join(lines))) - keywords
         words -= {"ifndef", "define", "endif"}
