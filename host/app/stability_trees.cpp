@@ -89,18 +89,22 @@ std::shared_ptr<TreeUnderTest> buildPlaced(Run& run, Builder builder, const Inst
 }
 
 std::vector<TraversalUnderTest> traversalsFor(Run& run, const TriangleSet& set) {
-    const auto onDevice = [&run](Traversal traversal, Query query, bool inHalves) {
-        return [&run, traversal, query, inHalves](const TreeUnderTest& tree, std::span<const Ray> rays) {
-            const TraceMode mode{query, traversal, TriangleTest::watertight, true};
+    const auto onDevice = [&run](const TraceMode& mode, bool inHalves = false) {
+        return [&run, mode, inHalves](const TreeUnderTest& tree, std::span<const Ray> rays) {
             return run.device.tracer().trace(inHalves ? halvesOf(tree) : Forest(*tree.onDevice), rays, mode);
         };
+    };
+    const auto counted = [](Query query, Traversal traversal) {
+        return TraceMode{query, traversal, TriangleTest::watertight, true};
     };
     std::vector<TraversalUnderTest> traversals;
     for (const Query query : {Query::closest, Query::any}) {
         for (const Traversal t : kDeviceTraversals)
-            traversals.push_back({traversalName(nameOf(t), query), onDevice(t, query, false), UINT64_MAX, query});
-        traversals.push_back(
-            {traversalName("two trees", query), onDevice(kDefaultTraversal, query, true), UINT64_MAX, query});
+            traversals.push_back({traversalName(nameOf(t), query), onDevice(counted(query, t)), UINT64_MAX, query});
+        const TraceMode fastest = counted(query, kDefaultTraversal);
+        traversals.push_back({traversalName("two trees", query), onDevice(fastest, true), UINT64_MAX, query});
+        const TraceMode asPrograms{query, kDefaultTraversal};
+        traversals.push_back({traversalName("uncounted", query), onDevice(asPrograms), UINT64_MAX, query});
     }
     traversals.push_back(hostStack(set, kStackWork, run.options.settings.threads));
     return traversals;

@@ -24,8 +24,8 @@ std::shared_ptr<TreeUnderTest> buildPlaced(Run& run, Builder builder, const Inst
 // Leaves trees over all triangles open, one for each of lazyTraversals().
 void buildLazily(Run& run, const DeviceTriangles& triangles, TreeUnderTest& tree);
 
-// Those of the device, for closest and for any hits, with steps counted, the fastest of them through two trees as well,
-// and the walk on the host where it is affordable.
+// Those of the device, for closest and for any hits, with steps counted, the fastest of them through two trees and
+// uncounted as well, and the walk on the host where it is affordable.
 std::vector<TraversalUnderTest> traversalsFor(Run& run, const TriangleSet& set);
 // Those of the device once more, through trees that are built where rays come to.
 std::vector<TraversalUnderTest> lazyTraversals(Run& run);

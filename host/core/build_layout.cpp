@@ -41,11 +41,16 @@ Capacity capacityOf(const BuildInfo& info) noexcept {
     return c;
 }
 
-Expansion planExpansion(const BuildInfo& info, OpenNode* nodes, uint32_t count) noexcept {
+Expansion planExpansion(const BuildInfo& info, uint32_t leafRefs, OpenNode* nodes, uint32_t count) noexcept {
+    const Capacity most = capacityOf(info);
     Expansion e;
-    e.count = count;
     uint32_t chunks = 0;
     for (OpenNode& node : std::span(nodes, count)) {
+        // The level after this one is likely to have more references, which must fit, too.
+        if (e.count > 0 && (e.refs + node.count > most.refs / 2 || e.count == most.levelNodes)) break;
+        // And all of them may end in leaves.
+        if (uint64_t{leafRefs} + e.refs + node.count > most.leafRefs) break;
+        e.count++;
         node.before = e.refs;
         node.chunk = chunks;
         e.refs += node.count;

@@ -112,31 +112,41 @@ void LazyTree::expandAll() {
 void LazyTree::expand(std::vector<OpenNode> nodes) {
     for (const OpenNode& node : nodes) figures_.neverBuilt -= node.count;
     figures_.stillOpen -= static_cast<uint32_t>(nodes.size());
-    figures_.expansions++;
-    build(std::move(nodes));
+    for (std::span<OpenNode> left(nodes); !left.empty();) left = left.subspan(build(left));
 }
 
-void LazyTree::build(std::vector<OpenNode> nodes) {
-    Expansion expansion = planExpansion(info_, nodes.data(), static_cast<uint32_t>(nodes.size()));
-    const Buffer list = uploaded(device_, std::span<const OpenNode>(nodes));
+// Builds the first of these nodes, as many as fit; how many that were.
+uint32_t LazyTree::build(std::span<OpenNode> nodes) {
+    const auto planned = [&] {
+        return planExpansion(info_, tree_.header.leafRefCount, nodes.data(), static_cast<uint32_t>(nodes.size()));
+    };
+    Expansion expansion = planned();
+    if (expansion.count == 0 && takeMore({0, 0, 0, tree_.header.leafRefCount + nodes.front().count})) {
+        moveToLarger(tree_.header);
+        expansion = planned();
+    }
+    if (expansion.count == 0) return static_cast<uint32_t>(nodes.size());  // they stay leaves
+    const Buffer list = uploaded(device_, std::span<const OpenNode>(nodes.first(expansion.count)));
+    figures_.expansions++;
     expansion.nodes = list.address();
     const TreeHeader before = tree_.header;
     for (;;) {
         tree_.header = run(&expansion);
         const bool isShort = tree_.header.status == TreeHeader::kShortOfCapacity;
-        if (!isShort) return;
-        if (!growCapacity(info_, tree_.header.wanted, budgetBeside(tree_.memory.size()))) {
-            figures_.memoryLimited = true;
-            return;
-        }
+        if (!isShort) break;
+        if (!takeMore(tree_.header.wanted)) break;
         moveToLarger(before);
     }
+    return expansion.count;
 }
 
-// What a build may take while the tree that it grows out of is still there; 0: any.
-uint64_t LazyTree::budgetBeside(uint64_t bytes) const {
-    if (settings_.memory == 0) return 0;
-    return settings_.memory > bytes ? settings_.memory - bytes : 1;
+// Makes the capacity larger, if that fits the budget beside the tree that is there until then.
+bool LazyTree::takeMore(const Capacity& wanted) {
+    const uint64_t there = tree_.memory.size();
+    const uint64_t left = settings_.memory > there ? settings_.memory - there : 1;
+    const bool grows = growCapacity(info_, wanted, settings_.memory == 0 ? 0 : left);
+    figures_.memoryLimited |= !grows;
+    return grows;
 }
 
 // The tree with the counts that it had before an expansion that did not fit.

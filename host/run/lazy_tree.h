@@ -57,9 +57,9 @@ class LazyTree {
     void findOpenNodes();
     std::vector<OpenNode> takeMarked();
     void expand(std::vector<OpenNode> nodes);
-    void build(std::vector<OpenNode> nodes);
+    uint32_t build(std::span<OpenNode> nodes);
     TreeHeader run(const Expansion* expansion);
-    uint64_t budgetBeside(uint64_t bytes) const;
+    bool takeMore(const Capacity& wanted);
     void moveToLarger(const TreeHeader& before);
 
     Device& device_;

@@ -25,7 +25,8 @@ BuildArrays makeArrays(std::span<const Triangle> world, std::span<const uint32_t
 
 void beginExpansion(BuildArrays& arrays, const BuildInfo& info, std::span<const OpenNode> open) {
     std::vector<OpenNode> nodes(open.begin(), open.end());
-    const Expansion planned = planExpansion(info, nodes.data(), static_cast<uint32_t>(nodes.size()));
+    const Expansion planned =
+        planExpansion(info, arrays.header.leafRefCount, nodes.data(), static_cast<uint32_t>(nodes.size()));
     arrays.state = {};
     arrays.args.exactUpTo = info.exactUpTo;
     arrays.args.openCount = planned.count;

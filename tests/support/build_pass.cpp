@@ -113,7 +113,8 @@ BuildPair::BuildPair(const std::vector<Triangle>& world, const std::vector<uint3
 }
 
 void BuildPair::expand(std::vector<OpenNode> open) {
-    Expansion expansion = planExpansion(info_, open.data(), static_cast<uint32_t>(open.size()));
+    Expansion expansion =
+        planExpansion(info_, arrays.header.leafRefCount, open.data(), static_cast<uint32_t>(open.size()));
     open_ = uploaded(device(), std::span<const OpenNode>(open));
     expansion.nodes = open_.address();
     args_ = buildArgs(info_, tree_.address(), scratch_.ranges(), kLongestRow, expansion);

@@ -224,13 +224,15 @@ uint32_t openLimit(const BuildInfo& info) noexcept;
 
 struct Expansion {
     VkDeviceAddress nodes = 0;  // OpenNode
-    uint32_t count = 0;
-    uint32_t refs = 0;   // references of all of them
-    uint32_t depth = 0;  // of the deepest one
+    uint32_t count = 0;         // at most Capacity::levelNodes
+    uint32_t refs = 0;          // references of all of them, at most Capacity::refs
+    uint32_t depth = 0;         // of the deepest one
 };
 
-// Makes an expansion of these nodes. Copy them to device memory then, and set its address.
-Expansion planExpansion(const BuildInfo& info, OpenNode* nodes, uint32_t count) noexcept;
+// Makes an expansion of the first of these nodes: of as many as the capacity of `info` has room for, where the tree has
+// `leafRefs` leaf references already (TreeHeader::leafRefCount). Copy them to device memory then, and set its address.
+// None where Capacity::leafRefs has no room for one: cmdMove() the tree to more.
+Expansion planExpansion(const BuildInfo& info, uint32_t leafRefs, OpenNode* nodes, uint32_t count) noexcept;
 
 // Builds open nodes of a tree further, down to leaves as cmdBuild() without openUpTo makes them: where they were are
 // inner nodes (or final leaves) afterwards, all other nodes are where they were, and new ones follow them. `info`,
