@@ -66,10 +66,10 @@ std::shared_ptr<TreeUnderTest> buildPlaced(Run& run, Builder builder, const Inst
     std::vector<std::shared_ptr<DeviceTree>> trees;
     const auto add = [&](std::span<const Triangle> triangles, std::span<const uint32_t> numbers) {
         KdTree tree;
-        if (builder == Builder::gpu) {
+        if (isOnDevice(builder.name)) {
             const DeviceTriangles onDevice(run.device.device(), triangles);
             GpuBuilder& gpu = run.device.builder();
-            const BuildSettings& settings = run.options.settings;
+            const BuildSettings settings = settingsFor(builder.name, run.options.settings);
             trees.push_back(numbers.empty() ? gpu.build(onDevice, settings).tree
                                             : gpu.buildNumbered(onDevice, settings, numbers).tree);
             if (trees.size() == 1) tree = readBack(*trees.back());
