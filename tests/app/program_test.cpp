@@ -562,7 +562,7 @@ TEST_F(Program, StabilityPrintsATableAndWritesEveryCell) {
     EXPECT_EQ(json["brokenCells"], 0u);
     // Two builders; three traversals and two trees for two queries, and one on the host; by one builder three
     // traversals of instances for two queries. A tetrahedron has no split plane, so three families fewer.
-    EXPECT_EQ(json["cells"].size(), (2u * 9u + 6u) * (14u + 17u));
+    EXPECT_EQ(json["cells"].size(), (2u * 11u + 6u) * (14u + 17u));
     for (const auto& cell : json["cells"]) {
         EXPECT_EQ(cell["wrong"], 0u);
         EXPECT_EQ(cell["differing"], 0u);
