@@ -80,6 +80,7 @@ void SceneTrees::build(bool plain) {
     ms_ = staticMs_ = 0.0;
     if (isLazy_) {
         lazy_.reset();  // the old one need not be beside the new one
+        builtLazily_.reset();
         lazy_ = session_.buildLazily();
         return;
     }
@@ -106,10 +107,16 @@ Forest SceneTrees::forest(const glm::dvec3& eye) {
     return forest;
 }
 
+// Reading a tree back and its statistics take longer than building it: report and terminal share them.
+const BuiltTree& SceneTrees::builtLazily() const {
+    if (!builtLazily_) builtLazily_ = session_.figuresOf(*lazy_);
+    return *builtLazily_;
+}
+
 Json SceneTrees::json() const {
     if (lazy_) {
         const LazyFigures& f = lazy_->figures();
-        Json json = buildJson(session_.figuresOf(*lazy_));
+        Json json = buildJson(builtLazily());
         json.update(Json{{"lazyBuiltShare", numberJson(f.builtShare())},
                          {"topMs", numberJson(f.topMs)},
                          {"expansions", f.expansions},
@@ -146,7 +153,7 @@ std::string SceneTrees::lines() const {
     std::string text;
     if (lazy_) {
         const LazyFigures& f = lazy_->figures();
-        return builtLine(session_.figuresOf(*lazy_)) + "lazily    " + fixed(100.0 * f.builtShare(), 1) + " % built, " +
+        return builtLine(builtLazily()) + "lazily    " + fixed(100.0 * f.builtShare(), 1) + " % built, " +
                grouped(f.expansions) + " times what rays waited for; " + grouped(f.stillOpen) + " of " +
                grouped(f.openNodes) + " open nodes never\n";
     }

@@ -60,6 +60,7 @@ class SceneTrees {
     };
 
     void split();
+    const BuiltTree& builtLazily() const;
 
     const Options& options_;
     Session& session_;
@@ -67,7 +68,8 @@ class SceneTrees {
     std::vector<ShownMesh> meshes_;  // that the parts are of
     bool isLazy_ = false;
     std::unique_ptr<LazyTree> lazy_;
-    std::vector<Part> parts_;  // what stays comes first
+    mutable std::optional<BuiltTree> builtLazily_;  // as it was when somebody asked
+    std::vector<Part> parts_;                       // what stays comes first
     uint64_t moving_ = 0;
     double ms_ = 0.0;
     double staticMs_ = 0.0;

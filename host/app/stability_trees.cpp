@@ -14,6 +14,19 @@ Forest halvesOf(const TreeUnderTest& tree) {
     return Forest({tree.halves[0].get(), tree.halves[1].get()});
 }
 
+// Those of the device, for closest and for any hits, with steps counted. `traceBy`: how, for a mode and its index.
+template <typename TraceBy>
+std::vector<TraversalUnderTest> ofEachWalk(const std::string& prefix, const TraceBy& traceBy) {
+    std::vector<TraversalUnderTest> traversals;
+    for (const Query query : {Query::closest, Query::any})
+        for (const Traversal t : kDeviceTraversals) {
+            const TraceMode mode{query, t, TriangleTest::watertight, true};
+            traversals.push_back(
+                {traversalName(prefix + nameOf(t), query), traceBy(mode, traversals.size()), UINT64_MAX, query});
+        }
+    return traversals;
+}
+
 }  // namespace
 
 std::shared_ptr<TreeUnderTest> buildForTest(Run& run, Builder builder, const TriangleSet& set,
@@ -111,30 +124,19 @@ std::vector<TraversalUnderTest> traversalsFor(Run& run, const TriangleSet& set) 
 }
 
 std::vector<TraversalUnderTest> lazyTraversals(Run& run) {
-    std::vector<TraversalUnderTest> traversals;
-    for (const Query query : {Query::closest, Query::any})
-        for (const Traversal t : kDeviceTraversals) {
-            const TraceMode mode{query, t, TriangleTest::watertight, true};
-            const auto trace = [&run, mode, i = traversals.size()](const TreeUnderTest& tree,
-                                                                   std::span<const Ray> rays) {
-                return run.device.tracer().trace(Forest(*tree.lazy[i]), rays, mode);
-            };
-            traversals.push_back({traversalName("lazy " + nameOf(t), query), trace, UINT64_MAX, query});
-        }
-    return traversals;
+    return ofEachWalk("lazy ", [&run](const TraceMode& mode, size_t index) {
+        return [&run, mode, index](const TreeUnderTest& tree, std::span<const Ray> rays) {
+            return run.device.tracer().trace(Forest(*tree.lazy[index]), rays, mode);
+        };
+    });
 }
 
 std::vector<TraversalUnderTest> placedTraversals(Run& run) {
-    std::vector<TraversalUnderTest> traversals;
-    for (const Query query : {Query::closest, Query::any})
-        for (const Traversal t : kDeviceTraversals) {
-            const TraceMode mode{query, t, TriangleTest::watertight, true};
-            const auto trace = [&run, mode](const TreeUnderTest& tree, std::span<const Ray> rays) {
-                return run.device.tracer().trace(*tree.instances, rays, mode);
-            };
-            traversals.push_back({traversalName("instances " + nameOf(t), query), trace, UINT64_MAX, query});
-        }
-    return traversals;
+    return ofEachWalk("instances ", [&run](const TraceMode& mode, size_t) {
+        return [&run, mode](const TreeUnderTest& tree, std::span<const Ray> rays) {
+            return run.device.tracer().trace(*tree.instances, rays, mode);
+        };
+    });
 }
 
 }  // namespace cleave

@@ -13,6 +13,11 @@ inline bool mayGoOn(const TraceMode& mode) noexcept {
            (mode.traversal != Traversal::stack || mode.lazy) && !mode.instances && !mode.single;
 }
 
+// Whether there is a kernel for a single leaf (TraceMode::single) that answers as the mode wants it.
+inline bool mayBeSingle(const TraceMode& mode) noexcept {
+    return !mode.countSteps && mode.test == TriangleTest::watertight;
+}
+
 inline TracePush tracePush(const TraceInfo& info) noexcept {
     constexpr uint32_t kDefaultStepLimit = 1u << 20;
     TracePush push{};

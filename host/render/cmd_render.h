@@ -95,7 +95,7 @@ struct PictureInfo {
   private:
     TraceMode modeOf(Query query, bool countSteps) const {
         TraceMode mode{query, traversal, test, countSteps, instances};
-        mode.single = single && !countSteps && test == TriangleTest::watertight;
+        mode.single = single && mayBeSingle(mode);
         mode.lazy = open != 0;
         return mode;
     }

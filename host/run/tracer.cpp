@@ -122,7 +122,7 @@ Tracer::Result Tracer::trace(const Forest& forest, std::span<const Ray> rays, co
     for (const DeviceTree* tree : forest.trees) addresses.push_back(tree->address());
     TraceMode suited = mode;
     suited.lazy = forest.lazy != nullptr;
-    suited.single = forest.isSingle() && from.empty() && !mode.countSteps && mode.test == TriangleTest::watertight;
+    suited.single = forest.isSingle() && from.empty() && mayBeSingle(mode);
     return traceFrom(addresses, forest.exponent(), rays, suited, from, forest.lazy);
 }
 

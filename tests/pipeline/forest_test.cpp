@@ -41,18 +41,6 @@ std::shared_ptr<DeviceTree> oneTree(const std::vector<Triangle>& world) {
     return uploadTree(device(), set, buildExact(set, BuildSettings{}));
 }
 
-// Bit by bit, but for which triangle an any-hit query finds.
-void expectSameHits(const std::vector<Hit>& got, const std::vector<Hit>& want, Query query) {
-    ASSERT_EQ(got.size(), want.size());
-    for (size_t i = 0; i < want.size(); i++) {
-        if (query == Query::any)
-            ASSERT_EQ(got[i].prim == kNone, want[i].prim == kNone) << "ray " << i;
-        else
-            ASSERT_EQ(std::memcmp(&got[i], &want[i], sizeof(Hit)), 0)
-                << "ray " << i << ": triangle " << got[i].prim << ", not " << want[i].prim;
-    }
-}
-
 TEST(Forest, AnswersAsOneTreeDoes) {
     constexpr uint32_t kSeed = 21;
     std::vector<Triangle> world = mixedTriangles(900, kSeed);

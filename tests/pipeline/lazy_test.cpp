@@ -30,17 +30,6 @@ GpuBuilder& builder() {
     return *made;
 }
 
-void expectSameHits(const std::vector<Hit>& got, const std::vector<Hit>& want, Query query) {
-    ASSERT_EQ(got.size(), want.size());
-    for (size_t i = 0; i < want.size(); i++) {
-        if (query == Query::any)
-            ASSERT_EQ(got[i].prim == kNone, want[i].prim == kNone) << "ray " << i;
-        else
-            ASSERT_EQ(std::memcmp(&got[i], &want[i], sizeof(Hit)), 0)
-                << "ray " << i << ": triangle " << got[i].prim << ", not " << want[i].prim;
-    }
-}
-
 TEST(Lazy, AnswersAsTheWholeTreeDoes) {
     constexpr uint32_t kSeed = 31;
     Tracer usual(device()), limited(device(), {.batch = 512, .stepLimit = 7, .mostDispatches = 1u << 20});

@@ -1,7 +1,6 @@
 // The scene files that have animations: our own, and further ones beside the checkout where they are present.
 #pragma once
 
-#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <vector>
@@ -9,6 +8,7 @@
 #include "base/error.h"
 #include "scene/animation.h"
 #include "scene/scene.h"
+#include "support/scene_files.h"
 
 namespace cleave::test {
 
@@ -16,17 +16,7 @@ namespace cleave::test {
 // Files that are refused are the loader's business.
 inline void forAnimatedScenes(
     const std::function<void(const std::filesystem::path&, const Scene&, const std::vector<double>& times)>& look) {
-    const std::filesystem::path source = CLEAVE_SOURCE;
-    std::vector<std::filesystem::path> files;
-    for (const auto& folder : {source / "scenes", source / "../shared/scenes"}) {
-        if (!std::filesystem::exists(folder)) continue;
-        for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-            const auto extension = entry.path().extension();
-            if (extension == ".glb" || extension == ".gltf") files.push_back(entry.path());
-        }
-    }
-    std::sort(files.begin(), files.end());
-    for (const std::filesystem::path& file : files) {
+    for (const std::filesystem::path& file : allSceneFiles()) {
         Scene scene;
         double end = 0.0;
         try {

@@ -11,8 +11,8 @@
 
 namespace cleave::test {
 
-// Files that can be loaded and have at most `mostTriangles`.
-inline std::vector<std::filesystem::path> sceneFiles(size_t mostTriangles) {
+// All of them, in order.
+inline std::vector<std::filesystem::path> allSceneFiles() {
     const std::filesystem::path source = CLEAVE_SOURCE;
     std::vector<std::filesystem::path> files;
     for (const auto& folder : {source / "scenes", source / "../shared/scenes"}) {
@@ -23,6 +23,12 @@ inline std::vector<std::filesystem::path> sceneFiles(size_t mostTriangles) {
         }
     }
     std::sort(files.begin(), files.end());
+    return files;
+}
+
+// Files that can be loaded and have at most `mostTriangles`.
+inline std::vector<std::filesystem::path> sceneFiles(size_t mostTriangles) {
+    std::vector<std::filesystem::path> files = allSceneFiles();
     std::erase_if(files, [&](const std::filesystem::path& file) {
         try {
             return pose(loadGltf(file)).triangles.size() > mostTriangles;

@@ -117,6 +117,17 @@ void expectHitsAtZero(Traversal traversal) {
     }
 }
 
+void expectSameHits(const std::vector<Hit>& got, const std::vector<Hit>& want, Query query) {
+    ASSERT_EQ(got.size(), want.size());
+    for (size_t i = 0; i < want.size(); i++) {
+        if (query == Query::any)
+            ASSERT_EQ(got[i].prim == kNone, want[i].prim == kNone) << "ray " << i;
+        else
+            ASSERT_EQ(std::memcmp(&got[i], &want[i], sizeof(Hit)), 0)
+                << "ray " << i << ": triangle " << got[i].prim << ", not " << want[i].prim;
+    }
+}
+
 DeepChain deepChain() {
     std::vector<Triangle> triangles;
     KdTree tree;

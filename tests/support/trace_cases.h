@@ -13,6 +13,9 @@ namespace cleave::test {
 // with short intervals, of any length of direction; and some that are none.
 std::vector<Ray> mixedRays(uint32_t n, uint32_t seed);
 
+// Expects the same hits, bit by bit, but for which triangle an any-hit query finds.
+void expectSameHits(const std::vector<Hit>& got, const std::vector<Hit>& want, Query query);
+
 // Closest hits equal those of brute force and of the plainest walk with ==, whether steps are counted or not; any-hit
 // queries agree on whether there is one; no ray is given up.
 void expectAnswers(const TriangleSet& set, const KdTree& tree, const std::vector<Ray>& rays, Traversal traversal);
