@@ -25,7 +25,6 @@ namespace cleave {
 
 // Run on every level.
 #define CLEAVE_LEVEL_PASSES(ROW)                                   \
-    ROW(bounds, bounds, perChunk, narrow, 0, binned)               \
     ROW(bin, bin, perChunk, narrow, 0, binned)                     \
     ROW(choose_split, chooseSplit, perChunk, narrow, 0, binned)    \
     ROW(nearest, nearest, perChunk, narrow, 0, snapping)           \
@@ -39,7 +38,6 @@ namespace cleave {
     ROW(exact_split, exactSplit, perRefBlock, wide, 0, closed)     \
     ROW(classify, classify, perRefBlock, narrow, 0, all)           \
     ROW(scan, scanRefs, once, wide, kScanRefs, all)                \
-    ROW(offsets, offsets, perRefBlock, wide, 0, all)               \
     ROW(count_children, countChildren, perNodeBlock, wide, 0, all) \
     ROW(next_level, nextLevel, once, wide, 0, all)                 \
     ROW(emit_nodes, emitNodes, perNodeBlock, wide, 0, all)         \

@@ -26,18 +26,15 @@ void writeGeometries(Recorder& recorder, const BuildInfo& info, VkBuffer buffer,
 
 class BuildRecording {
   public:
-    BuildRecording(const Context::State& state, Recorder& recorder, const BuildInfo& info, const Range& scratch,
+    BuildRecording(const Context::State& state, Recorder& recorder, const BuildInfo& info, const Range* scratch,
                    const ScratchLayout& at)
-        : state_(state),
-          recorder_(recorder),
-          info_(info),
-          scratch_(scratch),
-          args_(at.args.offset),
-          buildState_(at.state.offset) {}
+        : state_(state), recorder_(recorder), info_(info), scratch_(scratch), at_(at) {}
 
-    void arguments(const BuildArgs& args) {
-        recorder_.write(scratch_.buffer, scratch_.offset + args_, &args, sizeof(args));
-        recorder_.fillZero(scratch_.buffer, scratch_.offset + buildState_, sizeof(BuildState));
+    void arguments(const BuildArgs& args, PassChoice choice) {
+        recorder_.write(scratch_[0].buffer, scratch_[0].offset + at_.args.offset, &args, sizeof(args));
+        fillZero(at_.state, sizeof(BuildState));
+        if (choice.binned) fillZero(at_.bins, countsOf(info_).chunks * kBinWords * sizeof(uint32_t));
+        note("arguments");
     }
 
     // Sized by what the host knows.
@@ -62,19 +59,22 @@ class BuildRecording {
     // Sized by what the device knows.
     void onLevel(const BuildPass& pass, uint32_t depth) {
         recorder_.dispatchIndirect(
-            state_.kernelOf(pass), push(pass, depth), scratch_.buffer,
-            scratch_.offset + buildState_ + offsetof(BuildState, level) + depth * sizeof(Level) + pass.groups);
+            state_.kernelOf(pass), push(pass, depth), scratch_[0].buffer,
+            scratch_[0].offset + at_.state.offset + offsetof(BuildState, level) + depth * sizeof(Level) + pass.groups);
         note(pass.kernel);
     }
     const Context::State& state_;
     Recorder& recorder_;
     const BuildInfo& info_;
-    const Range& scratch_;  // the first range
-    uint64_t args_;
-    uint64_t buildState_;
+    const Range* scratch_;
+    const ScratchLayout& at_;
 
+    void fillZero(const Place& place, uint64_t bytes) {
+        const Range& range = scratch_[place.range];
+        recorder_.fillZero(range.buffer, range.offset + place.offset, bytes);
+    }
     BuildPush push(const BuildPass& pass, uint32_t depth) const {
-        return {scratch_.address + args_, depth, pass.scans};
+        return {scratch_[0].address + at_.args.offset, depth, pass.scans};
     }
 };
 
@@ -86,10 +86,9 @@ void cmdBuild(VkCommandBuffer commands, const Context& context, const BuildInfo&
     Recorder recorder = state.recorder(commands);
     const BuildArgs args = buildArgs(info, tree.address, scratch, state.row);
     const ScratchLayout at = scratchLayout(countsOf(info), info.largestRange);
-    BuildRecording build(state, recorder, info, scratch[0], at);
-    build.arguments(args);
+    BuildRecording build(state, recorder, info, scratch, at);
     writeGeometries(recorder, info, scratch[0].buffer, scratch[0].offset + at.geometries.offset);
-    build.note("arguments");
+    build.arguments(args, choiceOf(info));
     const Level input = levelOf(args.triangleCount, 1, 0, 0, 0, state.row);
     for (const BuildPass& pass : kSetupPasses) build.once(pass, input);
     build.levels(choiceOf(info), depthLimit(info.maxDepth, args.triangleCount), input);
@@ -101,9 +100,8 @@ void cmdExpand(VkCommandBuffer commands, const Context& context, const BuildInfo
     Recorder recorder = state.recorder(commands);
     const BuildArgs args = buildArgs(info, tree.address, scratch, state.row, expansion);
     const ScratchLayout at = scratchLayout(countsOf(info), info.largestRange);
-    BuildRecording build(state, recorder, info, scratch[0], at);
-    build.arguments(args);
-    build.note("arguments");
+    BuildRecording build(state, recorder, info, scratch, at);
+    build.arguments(args, choiceOf(info, true));
     const Level input = levelOf(expansion.refs, expansion.count, 0, 0, 0, state.row);
     for (const BuildPass& pass : kExpandPasses) build.once(pass, input);
     build.levels(choiceOf(info, true), depthLimit(info.maxDepth, args.triangleCount) - expansion.depth, input);

@@ -2,6 +2,12 @@
 
 namespace cleave::twin {
 
+BinRange rangeOf(const BuildArrays& a, uint32_t chunk, uint32_t axis) {
+    const uint32_t b = chunk * kBoundsWords + axis;
+    return binRange(fromOrderedBits(a.bounds[b]), fromOrderedBits(a.bounds[b + 3]), a.args.binCount,
+                    a.args.invBinCount);
+}
+
 void bin(BuildArrays& a, uint32_t depth) {
     for (uint32_t c = 0; c < a.state.level[depth].chunkCount; c++) {
         const Chunk& chunk = a.chunks[c];

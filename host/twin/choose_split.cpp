@@ -37,6 +37,7 @@ void chooseSplit(BuildArrays& a, uint32_t depth) {
             a.args.snap != 0 || isWorthwhile(a.args.costs, best, node.cell, node.count, depth, a.state.maxDepth);
         node.split = keep ? best : noSplit();
         a.nearest[c] = noFaces();
+        std::fill_n(a.bins.begin() + c * kBinWords, kBinWords, 0u);
     }
 }
 

@@ -33,9 +33,11 @@ void classify(BuildArrays& a, uint32_t depth) {
         sums = block < batches ? glm::uvec4(0, 0, sums.z, sums.w) : glm::uvec4(0);
     }
     for (uint32_t i = 0; i < count; i++) {
-        a.sides[i] = classifyOne(a, depth, i);
-        a.blockSums[i / kBlock].x += (a.sides[i] & kLeft) ? 1 : 0;
-        a.blockSums[i / kBlock].y += (a.sides[i] & kRight) ? 1 : 0;
+        glm::uvec4& sums = a.blockSums[i / kBlock];
+        const uint32_t side = classifyOne(a, depth, i);
+        a.sides[i] = sideWord(side, sums.x, sums.y);
+        sums.x += (side & kLeft) ? 1 : 0;
+        sums.y += (side & kRight) ? 1 : 0;
     }
 }
 

@@ -11,8 +11,7 @@ void emitChild(BuildArrays& a, uint32_t depth, uint32_t index, Box cell, uint32_
     const uint32_t chunks = chunksOf(count, a.args.exactUpTo);
     a.nodesOut(depth)[index] = buildNode(cell, first, count, a.state.nodeBase + index, chunk);
     for (uint32_t c = 0; c < chunks; c++) a.chunks[chunk + c] = chunkOf(index, first, count, c);
-    for (uint32_t k = 0; chunks > 0 && k < kBoundsWords; k++)
-        a.bounds[chunk * kBoundsWords + k] = k < 3 ? 0xFFFFFFFFu : 0u;
+    if (chunks > 0) setBounds(a, chunk, emptyBox());
     for (uint32_t r = 0; r < subtreeRefsOf(count, a.args.exactUpTo); r++)
         if ((subtreeRefs + r) % kBatch == 0) a.batchFirsts[(subtreeRefs + r) / kBatch] = r == 0 ? index : index + 1;
 }
@@ -20,29 +19,30 @@ void emitChild(BuildArrays& a, uint32_t depth, uint32_t index, Box cell, uint32_
 }  // namespace
 
 void emitNodes(BuildArrays& a, uint32_t depth) {
-    glm::uvec4 before(0);
+    glm::uvec4 sums(0);
     for (uint32_t n = 0; n < a.state.level[depth].nodeCount; n++) {
         BuildNode& node = a.nodesIn(depth)[n];
         const Split& s = node.split;
         if (a.state.finish || s.axis == kLeafAxis) {
-            const uint32_t first = a.state.leafBase + (a.state.finish ? node.first : before.y);
+            const uint32_t first = a.state.leafBase + (a.state.finish ? node.first : sums.y);
             a.tree[node.treeNode] = leafNode(first, node.count);
             node.child = kNone;
             node.leftBase = first;
         } else if (s.axis != kSubtreeAxis) {
-            const Children c = childrenOf(a, node);
+            const Children c = childrenOf(a, depth, node);
             const uint32_t upTo = a.args.exactUpTo;
-            const uint32_t left = 2 * before.x;
-            const uint32_t first = a.offsets[node.first].x + a.offsets[node.first].y;
+            const uint32_t left = 2 * sums.x;
+            const glm::uvec2 before = offsetsAt(a, depth, node.first);
+            const uint32_t first = before.x + before.y;
             node.child = left;
-            node.leftBase = a.offsets[node.first].y;
-            node.rightBase = a.offsets[node.first + node.count].x;
+            node.leftBase = before.y;
+            node.rightBase = offsetsAt(a, depth, node.first + node.count).x;
             a.tree[node.treeNode] = innerNode(s.axis, s.position, a.state.nodeBase + left);
-            emitChild(a, depth, left, leftOf(node.cell, s.axis, s.position), first, c.left, before.z, before.w);
+            emitChild(a, depth, left, leftOf(node.cell, s.axis, s.position), first, c.left, sums.z, sums.w);
             emitChild(a, depth, left + 1, rightOf(node.cell, s.axis, s.position), first + c.left, c.right,
-                      before.z + chunksOf(c.left, upTo), before.w + subtreeRefsOf(c.left, upTo));
+                      sums.z + chunksOf(c.left, upTo), sums.w + subtreeRefsOf(c.left, upTo));
         }
-        before += nodeCounts(a, node);
+        sums += nodeCounts(a, depth, node);
     }
 }
 

@@ -22,8 +22,7 @@ void expand(BuildArrays& a, uint32_t) {
         a.nodes0[n] = buildNode(open.cell, refs, open.count, open.treeNode, chunks);
         for (uint32_t c = 0; c < chunksOf(open.count, exactUpTo); c++)
             a.chunks[chunks + c] = chunkOf(n, refs, open.count, c);
-        for (uint32_t k = 0; k < 6 && isLarge(open.count, exactUpTo); k++)
-            a.bounds[chunks * kBoundsWords + k] = k < 3 ? 0xFFFFFFFFu : 0;
+        if (isLarge(open.count, exactUpTo)) setBounds(a, chunks, open.cell);
         for (uint32_t i = 0; i < open.count; i++) {
             const uint32_t prim = a.leafRefs[open.first + i];
             const Box box = partIn(a, prim, open.cell);

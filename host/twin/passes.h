@@ -31,21 +31,25 @@ void runLevels(BuildArrays& a, PassChoice choice);
 
 // Shared by the passes: the number of one of the tree's triangles,
 uint32_t triangleNumber(const BuildArrays& a, uint32_t index);
-// the parts of a node once its references are classified,
+// left and right references of the level before one of them, or before its end, once they are classified,
+glm::uvec2 offsetsAt(const BuildArrays& a, uint32_t depth, uint32_t index);
+// the parts of a node,
 struct Children {
     uint32_t left = 0;  // references
     uint32_t right = 0;
 };
-Children childrenOf(const BuildArrays& a, const BuildNode& node);
+Children childrenOf(const BuildArrays& a, uint32_t depth, const BuildNode& node);
 // what the node adds to the sums of its block,
-glm::uvec4 nodeCounts(const BuildArrays& a, const BuildNode& node);
+glm::uvec4 nodeCounts(const BuildArrays& a, uint32_t depth, const BuildNode& node);
 // the exclusive prefix sums of the sums of blocks, in place, and their total,
 glm::uvec4 scanBlocks(std::vector<glm::uvec4>& sums, uint32_t items);
 // the best plane at a face of one of these boxes, by trying them all,
 Split bestFace(SahCosts costs, std::span<const PrimRef> refs, Box cell);
 // the boxes of a straddling reference on either side of a plane,
 SplitBoxes partsOf(const BuildArrays& a, const PrimRef& r, const Split& s);
-// and the range of a large node's bins on one axis.
+// the bounds of a large node's references,
+void setBounds(BuildArrays& a, uint32_t chunk, Box bounds);
+// and the range of its bins on one axis.
 BinRange rangeOf(const BuildArrays& a, uint32_t chunk, uint32_t axis);
 
 }  // namespace cleave::twin

@@ -10,7 +10,7 @@ void main() {
     args.state.at.scene.included = n;
     args.nodes0.at[0] = buildNode(rootCell(args.state.at.scene), 0u, n, 0u, 0u);
     for (uint c = 0u; c < chunks; c++) args.chunks.at[c] = chunkOf(0u, 0u, n, c);
-    if (chunks > 0u) clearBounds(0u);
+    if (chunks > 0u) setBounds(0u, args.nodes0.at[0].cell);
     args.state.at.nodesUsed = 1u;
     args.state.at.maxDepth = depthLimit(args.maxDepth, n);
     args.batchFirsts.at[0] = 0u;

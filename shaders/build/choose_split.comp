@@ -1,6 +1,7 @@
 #version 460
 // The best of a large node's bin boundaries by SAH, for `nearest` and `snap` to improve; without these the split itself,
-// if it is worth it. A workgroup per chunk, of any size that is a power of two; that of a node's first chunk acts.
+// if it is worth it. Leaves the counters at 0. A workgroup per chunk, of any size that is a power of two; that of a node's
+// first chunk acts.
 #extension GL_GOOGLE_include_directive : require
 #include "lib/build.glsl"
 layout(local_size_x_id = 0) in;
@@ -40,6 +41,7 @@ void main() {
     uint i = gl_LocalInvocationID.x;
     if (i < 6u) sumUp(c, i);
     meet();
+    for (uint k = i; k < kBinWords; k += gl_WorkGroupSize.x) args.bins.at[c * kBinWords + k] = 0u;
     uint step = sampleStep(node.count, args.subsample != 0u);
     Split best = noSplit();
     for (uint axis = 0u; axis < 3u; axis++) {

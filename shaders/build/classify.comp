@@ -1,21 +1,34 @@
 #version 460
-// Which side each reference goes to; straddling ones are clipped to both cells. A workgroup per block.
+// Which side each reference goes to, and how many of its block do so before it; straddling ones are clipped to both
+// cells. A workgroup per block.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
 #include "lib/build.glsl"
 #include "lib/clip.glsl"
+#include "lib/group_sum.glsl"
 
 layout(local_size_x_id = 0) in;
 
+#include "lib/touch.glsl"
+
+shared uint sides[kBlock];
 shared uint straddling[kBlock];  // positions in the block; their order decides nothing
 shared uint straddlingCount;
-shared uint leftCount;
-shared uint rightCount;
 
-uint classified(PrimRef r) {
-    Split s = nodesIn().at[r.node].split;
-    if (s.axis >= kLeafAxis) return 0u;
-    return sideOf(r.lo[s.axis], r.hi[s.axis], s.position, s.planarLeft);
+// The node that the invocation classifies references of: the next one's is mostly the same.
+uint current = kNone;
+Split split;
+
+uint classified(uint index) {
+    uint node = refsIn().at[index].node;
+    if (node != current) {
+        current = node;
+        split = nodesIn().at[node].split;
+    }
+    if (split.axis >= kLeafAxis) return 0u;
+    float lo = refsIn().at[index].lo[split.axis];
+    float hi = refsIn().at[index].hi[split.axis];
+    return sideOf(lo, hi, split.position, split.planarLeft);
 }
 
 // Stores the boxes of both parts; the sides that they leave.
@@ -37,44 +50,42 @@ uint clipped(uint index) {
     return kClipped | (isEmpty(parts.left) ? 0u : kLeft) | (isEmpty(parts.right) ? 0u : kRight);
 }
 
+// Left and right.
+uvec4 countsOf(uint side) { return uvec4(side & kLeft, (side & kRight) >> 1, 0u, 0u); }
+
 void main() {
     uint block = groupIndex();
     uint refCount = thisLevel.refCount;
     if (block >= ceilDiv(refCount, kBlock)) return;
-    if (gl_LocalInvocationID.x == 0u) {
-        straddlingCount = 0u;
-        leftCount = 0u;
-        rightCount = 0u;
-    }
+    if (gl_LocalInvocationID.x == 0u) straddlingCount = 0u;
     meet();
     uint first = block * kBlock;
     uint count = min(kBlock, refCount - first);
-    uint left = 0u;
-    uint right = 0u;
+    if (!touch(refsIn(), first, first + count, 2u)) return;
     for (uint k = gl_LocalInvocationID.x; k < count; k += gl_WorkGroupSize.x) {
-        uint side = classified(refsIn().at[first + k]);
-        if (side == (kLeft | kRight)) {
-            straddling[atomicAdd(straddlingCount, 1u)] = k;
-        } else {
-            args.sides.at[first + k] = side;
-            left += side & kLeft;
-            right += side >> 1;
-        }
+        uint side = classified(first + k);
+        sides[k] = side;
+        if (side == (kLeft | kRight)) straddling[atomicAdd(straddlingCount, 1u)] = k;
     }
     meet();
     for (uint k = gl_LocalInvocationID.x; k < straddlingCount; k += gl_WorkGroupSize.x) {
-        uint index = first + straddling[k];
-        uint side = clipped(index);
-        args.sides.at[index] = side;
-        left += side & kLeft;
-        right += (side & kRight) >> 1;
+        sides[straddling[k]] = clipped(first + straddling[k]);
     }
-    atomicAdd(leftCount, left);
-    atomicAdd(rightCount, right);
     meet();
-    if (gl_LocalInvocationID.x != 0u) return;
-    args.blockSums.at[block].x = leftCount;
-    args.blockSums.at[block].y = rightCount;
+    // An invocation adds up a run of consecutive ones.
+    uint run = kBlock / gl_WorkGroupSize.x;
+    uint from = min(count, gl_LocalInvocationID.x * run);
+    uint to = min(count, from + run);
+    uvec4 sum = uvec4(0u);
+    for (uint k = from; k < to; k++) sum += countsOf(sides[k]);
+    sum = sumBefore(sum, gl_WorkGroupSize.x);
+    for (uint k = from; k < to; k++) {
+        args.sides.at[first + k] = sideWord(sides[k], sum.x, sum.y);
+        sum += countsOf(sides[k]);
+    }
+    if (gl_LocalInvocationID.x != gl_WorkGroupSize.x - 1u) return;
+    args.blockSums.at[block].x = sum.x;
+    args.blockSums.at[block].y = sum.y;
     if (block < ceilDiv(thisLevel.subtreeRefCount, kBatch)) return;
     args.blockSums.at[block].z = 0u;
     args.blockSums.at[block].w = 0u;

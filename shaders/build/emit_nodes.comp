@@ -14,7 +14,7 @@ void emitChild(uint index, Box cell, uint first, uint count, uint chunk, uint su
     nodesOut().at[index] = buildNode(cell, first, count, args.state.at.nodeBase + index, chunk);
     uint chunks = chunksOf(count, args.exactUpTo);
     for (uint c = 0u; c < chunks; c++) args.chunks.at[chunk + c] = chunkOf(index, first, count, c);
-    if (chunks > 0u) clearBounds(chunk);
+    if (chunks > 0u) setBounds(chunk, emptyBox());  // `partition` includes references
     uint batch = batchAt(subtreeRefs, subtreeRefsOf(count, args.exactUpTo));
     if (batch != kNone) args.batchFirsts.at[batch] = batch * kBatch == subtreeRefs ? index : index + 1u;
 }
@@ -36,11 +36,11 @@ void emitNode(uint index, BuildNode node, uvec2 children, uvec4 before) {
     uint left = 2u * before.x;
     args.tree.at[node.treeNode] = innerNode(s.axis, s.position, args.state.at.nodeBase + left);
     // The children of a node lie one after the other, where the left and right references before the node end.
-    uvec2 offset = args.offsets.at[node.first];
+    uvec2 offset = offsetsAt(node.first);
     uint first = offset.x + offset.y;
     nodesIn().at[index].child = left;
     nodesIn().at[index].leftBase = offset.y;
-    nodesIn().at[index].rightBase = args.offsets.at[node.first + node.count].x;
+    nodesIn().at[index].rightBase = offsetsAt(node.first + node.count).x;
     emitChild(left, leftOf(node.cell, s.axis, s.position), first, children.x, before.z, before.w);
     emitChild(left + 1u, rightOf(node.cell, s.axis, s.position), first + children.x, children.y,
               before.z + chunksOf(children.x, args.exactUpTo), before.w + subtreeRefsOf(children.x, args.exactUpTo));

@@ -21,7 +21,7 @@ void beginNode(uint index, OpenLeaf open) {
     args.nodes0.at[index] = buildNode(open.cell, open.before, open.count, open.treeNode, open.chunk);
     uint chunks = chunksOf(open.count, args.exactUpTo);
     for (uint c = 0u; c < chunks; c++) args.chunks.at[open.chunk + c] = chunkOf(index, open.before, open.count, c);
-    if (chunks > 0u) clearBounds(open.chunk);
+    if (chunks > 0u) setBounds(open.chunk, open.cell);
 }
 
 // The node of a reference: the last that has none after it.

@@ -5,6 +5,8 @@
 
 layout(local_size_x_id = 0) in;
 
+#include "lib/touch.glsl"
+
 shared NearestFaces faces;
 
 void main() {
@@ -19,9 +21,11 @@ void main() {
     meet();
     NearestFaces mine = noFaces();
     PrimRefArray refs = refsIn();
+    if (!touch(refs, chunk.first, chunk.first + chunk.count, 2u)) return;
     for (uint k = i; k < chunk.count; k += gl_WorkGroupSize.x) {
-        PrimRef r = refs.at[chunk.first + k];
-        mine = including(mine, r.lo[axis], r.hi[axis], node.split.position);
+        float lo = refs.at[chunk.first + k].lo[axis];
+        float hi = refs.at[chunk.first + k].hi[axis];
+        mine = including(mine, lo, hi, node.split.position);
     }
     atomicMax(faces.below, mine.below);
     atomicMin(faces.above, mine.above);

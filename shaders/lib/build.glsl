@@ -16,10 +16,10 @@ BuildNodeArray nodesIn() { return (push.depth & 1u) == 0u ? args.nodes0 : args.n
 BuildNodeArray nodesOut() { return (push.depth & 1u) == 0u ? args.nodes1 : args.nodes0; }
 #define thisLevel args.state.at.level[push.depth]
 
-void clearBounds(uint chunk) {
-    for (uint k = 0u; k < 3u; k++) {
-        args.bounds.at[chunk * kBoundsWords + k] = 0xFFFFFFFFu;
-        args.bounds.at[chunk * kBoundsWords + 3u + k] = 0u;
+void setBounds(uint chunk, Box b) {
+    for (uint axis = 0u; axis < 3u; axis++) {
+        args.bounds.at[chunk * kBoundsWords + axis] = orderedBits(b.lo[axis]);
+        args.bounds.at[chunk * kBoundsWords + 3u + axis] = orderedBits(b.hi[axis]);
     }
 }
 

@@ -88,7 +88,7 @@ CLEAVE_SIZE(Chunk, 12);
 // Kept per chunk, used in the first chunk of a node: bounds of its references, or of its bins that are open, as ordered
 // bits (lo xyz, hi xyz).
 CLEAVE_CONST uint kBoundsWords = 6u;
-// And its counters: for each axis kBins starts, then kBins ends.
+// And its counters: for each axis kBins starts, then kBins ends. They are 0 before a level is binned, and after.
 CLEAVE_CONST uint kBinWords = 6u * kBins;
 
 // With subsampling a node's bins count every l-th of its references only, l = max(1, floor(log10 n)) (Shevtsov et al.
@@ -179,15 +179,24 @@ CLEAVE_SIZE(OpenLeaf, 48);
 // A bit beside kLeft and kRight: `classify` has clipped the reference, and its boxes are in the list of clipped boxes.
 CLEAVE_CONST uint kClipped = 4u;
 
+// What is kept of a classified reference, in a word: these bits, and how many left and right references of its block lie
+// before it.
+CLEAVE_FN uint sideWord(uint side, uint leftBefore, uint rightBefore) {
+    return side | leftBefore << 8 | rightBefore << 16;
+}
+CLEAVE_FN uint sidesIn(uint word) { return word & 0xFFu; }
+CLEAVE_FN uint leftBefore(uint word) { return (word >> 8) & 0xFFu; }
+CLEAVE_FN uint rightBefore(uint word) { return word >> 16; }
+
 // Sizes of a level, and the indirect dispatches over them.
 struct Level {
     uint refCount;
     uint nodeCount;
     uint chunkCount;
     uint subtreeRefCount;        // of nodes that `subtrees` builds
-    DispatchSize perChunk;       // a workgroup per chunk: bounds, bin, choose_split, nearest
+    DispatchSize perChunk;       // a workgroup per chunk: bin, choose_split, nearest
     DispatchSize perChunkGroup;  // an invocation per chunk: snap
-    DispatchSize perRefBlock;    // a workgroup per kBlock references: exact_split, classify, offsets, partition
+    DispatchSize perRefBlock;    // a workgroup per kBlock references: exact_split, classify, partition
     DispatchSize perWorker;      // a workgroup per batch, or for several of them: subtrees
     DispatchSize perBatch;       // a workgroup per batch: graft
     DispatchSize perNodeBlock;   // a workgroup per kBlock nodes: count_children, emit_nodes
@@ -244,9 +253,8 @@ CLEAVE_SIZE(BuildState, 6608);
     ROW(bins, uint, UintArray, n.chunks* kBinWords)                                                                \
     ROW(nearest, NearestFaces, NearestFacesArray, n.chunks)                                                        \
     ROW(openBins, uint, UintArray, n.faceChunks* kBinWords) /* as bins: begins and ends in workFaces */            \
-    ROW(sides, uint, UintArray, n.refs)                     /* kLeft | kRight | kClipped; at first: in the tree */ \
+    ROW(sides, uint, UintArray, n.refs)                     /* sideWord(); at first: in the tree */                \
     ROW(clipped, Box, BoxArray, 2 * n.refs)                 /* per reference two: left and right part */           \
-    ROW(offsets, uvec2, Uvec2Array, n.refs + 1)             /* left and right references before each */            \
     ROW(blockSums, uvec4, Uvec4Array, n.refBlocks)          /* as refTotals: per block of references, or batch */  \
     ROW(batchFirsts, uint, UintArray, n.batches)            /* the first node of each */                           \
     ROW(subtrees, Subtrees, SubtreesArray, n.batches)                                                              \
@@ -300,7 +308,7 @@ struct BuildArgs {
     uint openDepth;   // the depth of the deepest
     uint reserved;
 };
-CLEAVE_SIZE(BuildArgs, 368);
+CLEAVE_SIZE(BuildArgs, 360);
 
 #ifndef __cplusplus
 layout(buffer_reference, scalar, buffer_reference_align = 8) buffer BuildArgsRef { BuildArgs at; };
@@ -438,24 +446,28 @@ CLEAVE_FN bool isResolved(BinRange r) {
 // Whether references are counted on an axis: where only the ends are candidates, nobody asks for the counts.
 CLEAVE_FN bool isBinned(BinRange r, bool everything) { return everything || isResolved(r); }
 
-// The plane between bin b - 1 and bin b, for 1 <= b < count; for 0 and `count` the ends of the range.
+// The plane between bin b - 1 and bin b, for 1 <= b < count.
+CLEAVE_FN float innerPlane(BinRange r, uint b) {
+    precise float offset = r.width * float(b);
+    return r.lo + offset;
+}
+// For 0 and `count` the ends of the range.
 CLEAVE_FN float binPlane(BinRange r, uint b) {
     if (b == 0u) return r.lo;
     if (b >= r.count) return r.hi;
-    precise float offset = r.width * float(b);
-    return r.lo + offset;
+    return innerPlane(r, b);
 }
 
 // How many inner planes lie at or before x (before x, if `strictly`). The guess may be off by one through rounding;
 // comparing with the planes themselves puts it right, so that counters agree with sideOf().
+// Without branches, which cost CPU devices most of a bin's time.
 CLEAVE_FN uint binIndex(BinRange r, float x, bool strictly) {
-    if (!isResolved(r)) return 0u;
     uint b = min(uint(max((x - r.lo) * r.invWidth, 0.0f)), r.count - 1u);
-    float below = binPlane(r, b);
-    float above = binPlane(r, b + 1u);
-    if (b > 0u && (strictly ? below >= x : below > x)) return b - 1u;
-    if (b + 1u < r.count && (strictly ? above < x : above <= x)) return b + 1u;
-    return b;
+    float below = innerPlane(r, b);
+    float above = innerPlane(r, b + 1u);
+    uint isBefore = uint(b > 0u && (below > x || (strictly && below == x)));
+    uint isAfter = uint(b + 1u < r.count && (above < x || (!strictly && above == x)));
+    return isResolved(r) ? b + isAfter - isBefore : 0u;
 }
 
 // The counters that a reference adds to, on one axis. A flat one counts as left of a plane that it lies in.

@@ -38,7 +38,7 @@ CLEAVE_CONST uint kBins = 32u;
 CLEAVE_CONST uint kExactUpTo = 160u;
 CLEAVE_CONST uint kMostExactUpTo = 1024u;  // the work grows with its square
 
-// References per workgroup of `bounds` and `bin`. Larger nodes are divided into chunks of this size.
+// References per workgroup of `bin` and `nearest`. Larger nodes are divided into chunks of this size.
 CLEAVE_CONST uint kChunk = 1024u;
 
 // References (or nodes) per block of a scan. Each block contributes one entry to the block sums.
