@@ -19,6 +19,7 @@ void nextLevel(BuildArrays& a, uint32_t depth) {
     s.levels = std::max(s.levels, depth + 1);
     s.nodeBase = s.nodesUsed;
     s.leafBase = s.leafRefsUsed;
+    s.batchesTaken = 0;
     s.subtreeNodes = s.nodeBase + levelNodes;
     s.subtreeRefs = s.leafBase + totals.y;
     const bool last = depth + 1 >= a.state.maxDepth;  // its nodes are leaves: there is nothing to choose

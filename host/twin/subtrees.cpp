@@ -129,8 +129,9 @@ void buildBatch(BuildArrays& a, uint32_t depth, uint32_t batch) {
 }  // namespace
 
 void subtrees(BuildArrays& a, uint32_t depth) {
-    for (uint32_t batch = 0; batch < ceilDiv(a.state.level[depth].subtreeRefCount, kBatch); batch++)
-        buildBatch(a, depth, batch);
+    const uint32_t batches = ceilDiv(a.state.level[depth].subtreeRefCount, kBatch);
+    for (uint32_t batch = 0; batch < batches; batch++) buildBatch(a, depth, batch);
+    a.state.batchesTaken += batches + std::min(batches, a.args.workers);
 }
 
 }  // namespace cleave::twin

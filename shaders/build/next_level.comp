@@ -24,6 +24,7 @@ void main() {
     args.state.at.levels = max(args.state.at.levels, push.depth + 1u);
     args.state.at.nodeBase = args.state.at.nodesUsed;
     args.state.at.leafBase = args.state.at.leafRefsUsed;
+    args.state.at.batchesTaken = 0u;
     args.state.at.subtreeNodes = args.state.at.nodeBase + 2u * totals.x;
     args.state.at.subtreeRefs = args.state.at.leafBase + totals.y;
     if (fits) {

@@ -13,6 +13,7 @@ layout(local_size_x_id = 0) in;
 shared uint cutCount;
 shared uint sizeCounts[3];  // nodes of up to four references, of up to eight, and runs of eight in larger ones
 shared uvec4 groupTotal;
+shared uint nextBatch;
 
 // The workgroup's part of the arrays: where its references begin, and its level's list and nodes.
 PrimRefArray workRefs;
@@ -359,6 +360,13 @@ void buildBatch(uint batch) {
     }
 }
 
+// The next one that nobody has taken. Batches differ, so that sharing them out evenly would leave workgroups idle.
+uint takenBatch() {
+    if (gl_LocalInvocationID.x == 0u) nextBatch = atomicAdd(args.state.at.batchesTaken, 1u);
+    meet();
+    return nextBatch;
+}
+
 void main() {
     uint batches = ceilDiv(thisLevel.subtreeRefCount, kBatch);
     uint workers = min(batches, args.workers);
@@ -376,7 +384,7 @@ void main() {
     nodeBase = worker * 2u * kWorkNodes;
     splitBase = worker * 2u * kWorkNodes;
     orderBase = worker * 3u * kWorkNodes;
-    for (uint batch = worker; batch < batches; batch += workers) {
+    for (uint batch = takenBatch(); batch < batches; batch = takenBatch()) {
         buildBatch(batch);
         meetInMemory();
     }

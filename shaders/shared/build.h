@@ -222,6 +222,7 @@ struct BuildState {
     uint leafBase;      // where this level's entries of the leaf list begin
     uint subtreeNodes;  // where its subtrees' KdNodes begin, but for their roots
     uint subtreeRefs;   // and their entries of the leaf list
+    uint batchesTaken;  // by workgroups of `subtrees`, each of which takes one that is not there in the end
     uint levels;        // with nodes
     uint finish;        // 1: this level does not fit when split, so all its nodes become leaves
     uint neededRefs;    // capacities that the build would have needed; 0 where they sufficed
@@ -234,7 +235,7 @@ struct BuildState {
     uvec4 refTotals;
     Level level[kMaxDepth + 2u];
 };
-CLEAVE_SIZE(BuildState, 6608);
+CLEAVE_SIZE(BuildState, 6612);
 
 #ifndef __cplusplus
 #include "lib/build_arrays.glsl"
