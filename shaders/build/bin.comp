@@ -31,7 +31,7 @@ void main() {
     for (uint axis = 0u; axis < 3u; axis++) ranges[axis] = rangeOf(slot, axis);
     meet();
     PrimRefArray refs = refsIn();
-    if (!touch(refs, chunk.first + first, chunk.first + chunk.count, max(step, 2u))) return;
+    if (!touch(refs, chunk.first + first, chunk.first + chunk.count, step)) return;
     for (uint k = first + i * step; k < chunk.count; k += gl_WorkGroupSize.x * step) {
         PrimRef r = refs.at[chunk.first + k];
         for (uint axis = 0u; axis < 3u; axis++) {

@@ -61,7 +61,7 @@ void main() {
     meet();
     uint first = block * kBlock;
     uint count = min(kBlock, refCount - first);
-    if (!touch(refsIn(), first, first + count, 2u)) return;
+    if (!touch(refsIn(), first, first + count, 1u)) return;
     for (uint k = gl_LocalInvocationID.x; k < count; k += gl_WorkGroupSize.x) {
         uint side = classified(first + k);
         sides[k] = side;

@@ -6,6 +6,8 @@
 #include "shared/face_bins.h"
 layout(local_size_x_id = 0) in;
 
+#include "lib/touch.glsl"
+
 void main() {
     uint c = groupIndex();
     if (c >= thisLevel.chunkCount) return;
@@ -14,6 +16,7 @@ void main() {
     uint capacity = faceBinCapacity(node.count);
     PrimRefArray refs = refsIn();
     UintArray counters = args.bins;
+    if (!touch(refs, chunk.first, chunk.first + chunk.count, 1u)) return;
     for (uint axis = 0u; axis < 3u; axis++) {
         FaceBins bins = faceBins(node.cell, axis, capacity);
         uint starts = faceWord(node.chunk, capacity, axis, 0u);

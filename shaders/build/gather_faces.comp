@@ -6,6 +6,8 @@
 #include "shared/face_bins.h"
 layout(local_size_x_id = 0) in;
 
+#include "lib/touch.glsl"
+
 UintArray openBins;
 Uvec2Array faces;
 
@@ -25,6 +27,7 @@ void main() {
     PrimRefArray refs = refsIn();
     openBins = args.openBins;
     faces = args.workFaces;
+    if (!touch(refs, chunk.first, chunk.first + chunk.count, 1u)) return;
     for (uint axis = 0u; axis < 3u; axis++) {
         uint openLo = args.bounds.at[node.chunk * kBoundsWords + axis];
         uint openHi = args.bounds.at[node.chunk * kBoundsWords + 3u + axis];

@@ -21,7 +21,7 @@ void main() {
     meet();
     NearestFaces mine = noFaces();
     PrimRefArray refs = refsIn();
-    if (!touch(refs, chunk.first, chunk.first + chunk.count, 2u)) return;
+    if (!touch(refs, chunk.first, chunk.first + chunk.count, 1u)) return;
     for (uint k = i; k < chunk.count; k += gl_WorkGroupSize.x) {
         float lo = refs.at[chunk.first + k].lo[axis];
         float hi = refs.at[chunk.first + k].hi[axis];

@@ -139,7 +139,7 @@ void main() {
     meet();
     bool leaves = args.state.at.finish != 0u;  // all nodes become leaves, whatever side references were to go to
     uvec2 beforeBlock = args.blockSums.at[block].xy;
-    if (!touch(refsIn(), begin, begin + count, 2u)) return;
+    if (!touch(refsIn(), begin, begin + count, 1u)) return;
     for (uint k = i; k < count; k += gl_WorkGroupSize.x) {
         uint word = args.sides.at[begin + k];
         if ((word & kClipped) != 0u && !leaves) {

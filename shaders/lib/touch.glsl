@@ -1,12 +1,13 @@
 // Reads what a workgroup is about to read, a word of each cache line, so that many lines are on their way at a time. CPU
-// devices load by address, lane by lane, which their prefetchers do not follow; so a pass over a large level would wait for
-// one group of lines after the other. True, always: for the reads to be wanted.
+// devices load by address, lane by lane, which their prefetchers do not follow, and a pass over a large level would wait for
+// one group of lines after the other. `step`: of the references of chunk or block only every step-th will be read. True,
+// always, since a node's number is never kNone; that must be looked at, for the reads to happen.
 bool touch(PrimRefArray refs, uint first, uint end, uint step) {
-    uint least = 0u;
+    const uint kPerLine = 2u;
+    uint each = max(step, kPerLine);
+    uint most = 0u;
     if (kLockstep) {
-        for (uint k = first + gl_LocalInvocationID.x * step; k < end; k += gl_WorkGroupSize.x * step) {
-            least = max(least, refs.at[k].node);
-        }
+        for (uint k = first + gl_LocalInvocationID.x * each; k < end; k += gl_WorkGroupSize.x * each) most = max(most, refs.at[k].node);
     }
-    return least != kNone;
+    return most != kNone;
 }

@@ -35,7 +35,7 @@ CLEAVE_CONST uint kBins = 32u;
 // A node of at most this many references is split by exact SAH instead of by binning. The survey
 // says 32, the number of bins; but on scans, whose vertices lie on a grid, only exact SAH finds the planes that cut no
 // triangle (docs/decisions.md).
-CLEAVE_CONST uint kExactUpTo = 160u;
+CLEAVE_CONST uint kExactUpTo = 224u;
 CLEAVE_CONST uint kMostExactUpTo = 1024u;  // the work grows with its square
 
 // References per workgroup of `bin` and `nearest`. Larger nodes are divided into chunks of this size.
@@ -49,7 +49,7 @@ CLEAVE_CONST uint kBlock = 256u;
 CLEAVE_CONST uint kSubtree = 32u;
 
 // Such nodes of a level are built in batches: all that begin in so many of their references. At least kBlock.
-CLEAVE_CONST uint kBatch = 256u;
+CLEAVE_CONST uint kBatch = 512u;
 
 // A level's batches are shared out to at most so many workgroups: one for every so many batches that a build has room
 // for. A workgroup takes one batch after the other, and has to work with: references (those of its nodes and two for
@@ -57,14 +57,14 @@ CLEAVE_CONST uint kBatch = 256u;
 // it are built level by level after all. The last two are powers of two.
 CLEAVE_CONST uint kBatchesPerWorker = 16u;
 CLEAVE_CONST uint kMostWorkers = 256u;
-CLEAVE_CONST uint kWorkRefs = 5120u;
-CLEAVE_CONST uint kWorkCuts = 512u;
-CLEAVE_CONST uint kWorkList = 2048u;
-CLEAVE_CONST uint kWorkNodes = 512u;
+CLEAVE_CONST uint kWorkRefs = 10240u;
+CLEAVE_CONST uint kWorkCuts = 1024u;
+CLEAVE_CONST uint kWorkList = 4096u;
+CLEAVE_CONST uint kWorkNodes = 1024u;
 
 // Nodes and leaf references that the subtrees of a batch may have.
-CLEAVE_CONST uint kStagedNodes = 2560u;
-CLEAVE_CONST uint kStagedRefs = 1792u;
+CLEAVE_CONST uint kStagedNodes = 5120u;
+CLEAVE_CONST uint kStagedRefs = 3584u;
 
 // Invocations per workgroup of the passes that process one element each.
 CLEAVE_CONST uint kGroup = 64u;

@@ -97,7 +97,7 @@ TEST(BinCounters, EqualCountingIntervals) {
     }
 }
 
-// The pass of the builds, over the boxes of triangles: `bounds` gives the range, `bin` counts, chunk by chunk, every
+// The pass of the builds, over the boxes of triangles: `begin` gives the range, `bin` counts, chunk by chunk, every
 // triangle or every l-th one.
 void expectPassCounts(const TriangleSet& set, uint32_t bins, bool subsample) {
     BuildInfo info;
@@ -105,7 +105,6 @@ void expectPassCounts(const TriangleSet& set, uint32_t bins, bool subsample) {
     info.subsample = subsample;
     BuildArrays arrays = makeArrays(set.triangles, {}, info);  // scaled already, so that the scale is 1
     for (const twin::Pass& pass : twin::setupPasses()) pass.run(arrays, 0);
-    twin::bounds(arrays, 0);
     twin::bin(arrays, 0);
     const auto step = subsample ? static_cast<size_t>(std::log10(set.included.size())) : size_t{1};
     for (uint32_t axis = 0; axis < 3; ++axis) {

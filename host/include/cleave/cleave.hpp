@@ -138,7 +138,7 @@ struct BuildInfo {
     float emptyBonus = 0.8f;  // on the cost of a split that leaves a side empty; above 0, at most 1
 
     uint32_t bins = 32;        // per axis, 2 to 32
-    uint32_t exactUpTo = 160;  // nodes of at most so many references are split by exact SAH; at most 1024
+    uint32_t exactUpTo = 224;  // nodes of at most so many references are split by exact SAH; at most 1024
     uint32_t maxDepth = 0;     // of a leaf, at most 63; 0: round(8 + 1.3 log2 n)
     // Lazy building (Hunt et al. 2007): nodes of more than 32 and at most so many references (but at least exactUpTo)
     // are left open, as leaves for now; see cmdExpand(). 0: none.

@@ -112,7 +112,7 @@ struct BuildSettings {
     float costLeaf = 0.0f;     // and of a leaf, 0 to 1000
     float emptyBonus = 0.8f;   // on the cost of a split that leaves a side empty, 0.001 to 1
     uint32_t bins = 32;        // per axis, 2 to 32
-    uint32_t exactUpTo = 160;  // nodes of at most so many references are split by exact SAH; at most 1024
+    uint32_t exactUpTo = 224;  // nodes of at most so many references are split by exact SAH; at most 1024
     uint32_t maxDepth = 0;     // of a leaf, at most 63; 0: round(8 + 1.3 log2 n)
     bool clip = true;          // clips straddling triangles to both cells
     bool subsample = true;     // bins every l-th reference of a large node, l = max(1, floor(log10 n))
