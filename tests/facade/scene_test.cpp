@@ -123,7 +123,7 @@ TEST_F(SceneTest, ABudgetLimitsTheTreeButNotTheAnswers) {
     Mesh mesh(device, triangles_);
     const Tree full = mesh.build();
     BuildSettings settings;
-    settings.memory = full.counts().peakBytes / 3;
+    settings.memory = full.counts().peakBytes / 4;
     const Tree limited = mesh.build("gpu", settings);
     EXPECT_FALSE(full.counts().memoryLimited);
     EXPECT_TRUE(limited.counts().memoryLimited);
