@@ -179,8 +179,8 @@ CLEAVE_SIZE(OpenLeaf, 48);
 // A bit beside kLeft and kRight: `classify` has clipped the reference, and its boxes are in the list of clipped boxes.
 CLEAVE_CONST uint kClipped = 4u;
 
-// What is kept of a classified reference, in a word: these bits, and how many left and right references of its block lie
-// before it.
+// What is kept of a classified reference, in a word: these bits, and how many left and right references of its block
+// lie before it.
 CLEAVE_FN uint sideWord(uint side, uint leftBefore, uint rightBefore) {
     return side | leftBefore << 8 | rightBefore << 16;
 }
@@ -243,31 +243,31 @@ CLEAVE_SIZE(BuildState, 6612);
 
 // The arrays that a build works on: name, element, its array in GLSL, how many. `n` counts the entries of a build
 // (BuildCounts in core/build_layout.h). This list is all that layout, binding, byte count, twin and tests know of them.
-#define CLEAVE_SCRATCH_ARRAYS(ROW)                                                                                 \
-    ROW(geometries, GeometryData, GeometryArray, n.geometries)                                                     \
-    ROW(refs0, PrimRef, PrimRefArray, n.refs) /* of even and of odd levels */                                      \
-    ROW(refs1, PrimRef, PrimRefArray, n.refs)                                                                      \
-    ROW(nodes0, BuildNode, BuildNodeArray, n.levelNodes)                                                           \
-    ROW(nodes1, BuildNode, BuildNodeArray, n.levelNodes)                                                           \
-    ROW(chunks, Chunk, ChunkArray, n.chunks)                                                                       \
-    ROW(bounds, uint, UintArray, n.chunks* kBoundsWords)                                                           \
-    ROW(bins, uint, UintArray, n.chunks* kBinWords)                                                                \
-    ROW(nearest, NearestFaces, NearestFacesArray, n.chunks)                                                        \
-    ROW(openBins, uint, UintArray, n.faceChunks* kBinWords) /* as bins: begins and ends in workFaces */            \
-    ROW(sides, uint, UintArray, n.refs)                     /* sideWord(); at first: in the tree */                \
-    ROW(clipped, Box, BoxArray, 2 * n.refs)                 /* per reference two: left and right part */           \
-    ROW(blockSums, uvec4, Uvec4Array, n.refBlocks)          /* as refTotals: per block of references, or batch */  \
-    ROW(batchFirsts, uint, UintArray, n.batches)            /* the first node of each */                           \
-    ROW(subtrees, Subtrees, SubtreesArray, n.batches)                                                              \
-    ROW(stagedNodes, KdNode, KdNodeArray, n.batches* kStagedNodes)                                                 \
-    ROW(stagedRefs, uint, UintArray, n.batches* kStagedRefs)                                                       \
-    ROW(workRefs, PrimRef, PrimRefArray, n.workers* kWorkRefs) /* these mean nothing between passes */             \
-    ROW(workCuts, WorkCut, WorkCutArray, n.workers* kWorkCuts)                                                     \
-    ROW(workLists, uint, UintArray, n.workers * 2 * kWorkList)                                                     \
-    ROW(workNodes, WorkNode, WorkNodeArray, n.workers * 2 * kWorkNodes)                                            \
-    ROW(workOrder, uint, UintArray, n.workers * 3 * kWorkNodes)                                                    \
-    ROW(workSplits, WorkSplit, WorkSplitArray, n.workers * 2 * kWorkNodes)                                         \
-    ROW(workFaces, uvec2, Uvec2Array, n.faces)     /* six per reference: position, kind */                         \
+#define CLEAVE_SCRATCH_ARRAYS(ROW)                                                                                \
+    ROW(geometries, GeometryData, GeometryArray, n.geometries)                                                    \
+    ROW(refs0, PrimRef, PrimRefArray, n.refs) /* of even and of odd levels */                                     \
+    ROW(refs1, PrimRef, PrimRefArray, n.refs)                                                                     \
+    ROW(nodes0, BuildNode, BuildNodeArray, n.levelNodes)                                                          \
+    ROW(nodes1, BuildNode, BuildNodeArray, n.levelNodes)                                                          \
+    ROW(chunks, Chunk, ChunkArray, n.chunks)                                                                      \
+    ROW(bounds, uint, UintArray, n.chunks* kBoundsWords)                                                          \
+    ROW(bins, uint, UintArray, n.chunks* kBinWords)                                                               \
+    ROW(nearest, NearestFaces, NearestFacesArray, n.chunks)                                                       \
+    ROW(openBins, uint, UintArray, n.faceChunks* kBinWords) /* as bins: begins and ends in workFaces */           \
+    ROW(sides, uint, UintArray, n.refs)                     /* sideWord(); at first: in the tree */               \
+    ROW(clipped, Box, BoxArray, 2 * n.refs)                 /* per reference two: left and right part */          \
+    ROW(blockSums, uvec4, Uvec4Array, n.refBlocks)          /* as refTotals: per block of references, or batch */ \
+    ROW(batchFirsts, uint, UintArray, n.batches)            /* the first node of each */                          \
+    ROW(subtrees, Subtrees, SubtreesArray, n.batches)                                                             \
+    ROW(stagedNodes, KdNode, KdNodeArray, n.batches* kStagedNodes)                                                \
+    ROW(stagedRefs, uint, UintArray, n.batches* kStagedRefs)                                                      \
+    ROW(workRefs, PrimRef, PrimRefArray, n.workers* kWorkRefs) /* these mean nothing between passes */            \
+    ROW(workCuts, WorkCut, WorkCutArray, n.workers* kWorkCuts)                                                    \
+    ROW(workLists, uint, UintArray, n.workers * 2 * kWorkList)                                                    \
+    ROW(workNodes, WorkNode, WorkNodeArray, n.workers * 2 * kWorkNodes)                                           \
+    ROW(workOrder, uint, UintArray, n.workers * 3 * kWorkNodes)                                                   \
+    ROW(workSplits, WorkSplit, WorkSplitArray, n.workers * 2 * kWorkNodes)                                        \
+    ROW(workFaces, uvec2, Uvec2Array, n.faces)     /* six per reference: position, kind */                        \
     ROW(nodeSums, uvec4, Uvec4Array, n.nodeBlocks) /* per block of nodes: see nodeCounts() */
 
 // And those that become the tree.
