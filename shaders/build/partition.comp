@@ -20,6 +20,9 @@ uint child, first, leftBase, rightBase;
 uint chunks[2];  // its children's first chunks, kNone of those that are not large
 Box bounds[2];   // of the references that went to them
 
+// Whether it has children that may be large.
+bool isLargeAndSplit(BuildNode node) { return isLarge(node.count, args.exactUpTo) && node.child != kNone; }
+
 uint chunkOfLarge(uint index) {
     BuildNode node = nodesOut().at[index];
     return isLarge(node.count, args.exactUpTo) ? node.chunk : kNone;
@@ -44,7 +47,7 @@ void turnTo(uint index) {
     first = node.first;
     leftBase = node.leftBase;
     rightBase = node.rightBase;
-    bool large = isLarge(node.count, args.exactUpTo) && child != kNone;
+    bool large = isLargeAndSplit(node);
     chunks[0] = large ? chunkOfLarge(child) : kNone;
     chunks[1] = large ? chunkOfLarge(child + 1u) : kNone;
     bounds[0] = emptyBox();
@@ -104,7 +107,7 @@ void includeAll(uint lastRef) {
     uint i = gl_LocalInvocationID.x;
     uint last = refsIn().at[lastRef].node;
     BuildNode node = nodesIn().at[last];
-    if (isLarge(node.count, args.exactUpTo) && node.child != kNone) {
+    if (isLargeAndSplit(node)) {
         if (current == last) {
             for (uint side = 0u; side < 2u; side++) {
                 for (uint axis = 0u; axis < 3u; axis++) {
@@ -145,13 +148,13 @@ void main() {
         if ((word & kClipped) != 0u && !leaves) {
             clipped[atomicAdd(clippedCount, 1u)] = k;
         } else {
-            moveWhole(begin + k, sidesIn(word), beforeBlock + uvec2(leftBefore(word), rightBefore(word)));
+            moveWhole(begin + k, sidesIn(word), beforeBlock + countsBefore(word));
         }
     }
     meet();
     for (uint k = i; k < clippedCount; k += gl_WorkGroupSize.x) {
         uint word = args.sides.at[begin + clipped[k]];
-        moveParts(begin + clipped[k], sidesIn(word), beforeBlock + uvec2(leftBefore(word), rightBefore(word)));
+        moveParts(begin + clipped[k], sidesIn(word), beforeBlock + countsBefore(word));
     }
     includeAll(begin + count - 1u);
 }

@@ -16,6 +16,9 @@ BuildNodeArray nodesIn() { return (push.depth & 1u) == 0u ? args.nodes0 : args.n
 BuildNodeArray nodesOut() { return (push.depth & 1u) == 0u ? args.nodes1 : args.nodes0; }
 #define thisLevel args.state.at.level[push.depth]
 
+// Left and right references of its block before the one that has this word of `sides`.
+uvec2 countsBefore(uint word) { return uvec2(leftBefore(word), rightBefore(word)); }
+
 void setBounds(uint chunk, Box b) {
     for (uint axis = 0u; axis < 3u; axis++) {
         args.bounds.at[chunk * kBoundsWords + axis] = orderedBits(b.lo[axis]);

@@ -4,7 +4,7 @@
 uvec2 offsetsAt(uint index) {
     if (index == thisLevel.refCount) return args.state.at.refTotals.xy;
     uint word = args.sides.at[index];
-    return args.blockSums.at[index / kBlock].xy + uvec2(leftBefore(word), rightBefore(word));
+    return args.blockSums.at[index / kBlock].xy + countsBefore(word);
 }
 
 // Left and right references of a node: the difference of the offsets at its ends.
